@@ -193,15 +193,24 @@ def shown(value, unit):
 SIGNS = {"at most": "≤", "at least": "≥"}
 
 
+def same(words, others):
+    """How many words both begin with."""
+    return next((i for i, pair in enumerate(zip(words, others)) if pair[0] != pair[1]), min(len(words), len(others)))
+
+
 def below(what, above):
-    """The text of a row without the words, two at least, that it begins with as the row above does; up to a comma or colon where there is one."""
+    """The text of a row in which "…" stands for words that it begins or ends with as the row above does, three at least. At the begin they
+    are left out up to a comma or colon where there is one, else but for the last."""
     if what.startswith("the same: "):
         return "… " + what.removeprefix("the same: ")
     words, others = what.split(), above.split()
-    shared = next((i for i, pair in enumerate(zip(words, others)) if pair[0] != pair[1]), min(len(words), len(others)))
-    marked = [i for i in range(3, shared + 1) if words[i - 1][-1] in ",:"]
-    shared = marked[-1] if marked else shared - 1
-    return " ".join(["…", *words[shared:]]) if 1 < shared < len(words) else what
+    alike = begin = same(words, others)
+    marked = [i for i in range(3, begin + 1) if words[i - 1][-1] in ",:"]
+    begin = marked[-1] if marked else begin - 1
+    begin = begin if 1 < begin < len(words) else 0
+    end = min(same(words[::-1], others[::-1]), len(words) - alike - 1)
+    end = end if end > 2 else 0
+    return " ".join(["…"] * (begin > 0) + words[begin:len(words) - end] + ["…"] * (end > 0))
 
 
 def verification():
