@@ -93,6 +93,18 @@ void add_radiation(JsonWriter& json, const Scene& scene) {
   json.close();
 }
 
+void add_hottest_glass(JsonWriter& json, const Scene& scene, const State& state) {
+  const HottestGlass& hottest = state.totals.hottest_glass;
+  json.open_object("glass_above_sources");
+  json.add("kelvin", hottest.above);
+  json.add("stage", scene.stages[hottest.stage].name);
+  json.add("time_s", hottest.time);
+  json.add("r_mm", 1e3 * hottest.r);
+  json.add("z_mm", 1e3 * hottest.z);
+  json.add("volume_share_above_5_K", hottest.volume_share);
+  json.close();
+}
+
 void add_balance(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
   json.add("volume_drift", summary.glass.volume_drift);
   json.add("energy_imbalance", summary.glass.energy_imbalance);
@@ -208,6 +220,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_numerics(json, scene.accuracy);
   add_radiation(json, scene);
   add_balance(json, scene, state, summary);
+  if (scene.has_heat()) add_hottest_glass(json, scene, state);
   add_work(json, state.totals.work);
   json.add("max_work_imbalance", max_work_imbalance(scene, state, summary.run));
   add_solver_statistics(json, summary.run.solver_statistics);

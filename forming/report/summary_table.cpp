@@ -66,6 +66,7 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
+  if (const std::string hot = hot_glass_text(scene, state); !hot.empty()) text += line("too hot at the most", hot);
   text += thickness_lines(summary);
   const std::string capacity = capacity_text(scene, state, summary.no_wall.empty());
   if (!capacity.empty()) text += line("capacity", capacity);

@@ -130,6 +130,14 @@ struct PenetrationPlace {
   double r = 0, z = 0, time = 0;  ///< of the glass, m; s
 };
 
+/// Where and when the glass was furthest above all that can heat it.
+struct HottestGlass {
+  double above = 0;               ///< K
+  double r = 0, z = 0, time = 0;  ///< m; s
+  Index stage = 0;
+  double volume_share = 0;  ///< of the glass that was then above by more than is told
+};
+
 /// Sums since the start.
 struct Totals {
   double to_air = 0;          ///< heat lost by the glass to air, J
@@ -147,7 +155,9 @@ struct Totals {
         entered_boundary = -1;  ///< where glass first came into a tool through a face without contact
   double max_drift = 0;         ///< of the glass volume at any step, relative to the start, without sign
   double max_reynolds = 0;
-  double overshoot = 0;        ///< of any temperature above the hottest of the scene at any step, K
+  double overshoot = 0;  ///< of any temperature above the hottest of the scene at any step, K
+  HottestGlass hottest_glass;
+  double hot_work = 0;         ///< that would be dissipated besides, were no glass above all that can heat it, J
   double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K
   double capped_work = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
   double unforeseen_work = 0;  ///< by which work of the steps would differ at the viscosity that their own heat gave, J

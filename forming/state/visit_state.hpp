@@ -120,6 +120,16 @@ void visit_penetration_place(Visitor visit, Place& place) {
   visit("time", place.time);
 }
 
+template <typename Visitor, typename Place>
+void visit_hottest_glass(Visitor visit, Place& place) {
+  visit("above", place.above);
+  visit("r", place.r);
+  visit("z", place.z);
+  visit("time", place.time);
+  visit("stage", place.stage);
+  visit("volume_share", place.volume_share);
+}
+
 template <typename Visitor, typename Sums>
 void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
@@ -139,6 +149,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("max_drift", totals.max_drift);
   visit("max_reynolds", totals.max_reynolds);
   visit("overshoot", totals.overshoot);
+  visit("hot_work", totals.hot_work);
   visit("viscous_heating", totals.viscous_heating);
   visit("capped_work", totals.capped_work);
   visit("unforeseen_work", totals.unforeseen_work);
@@ -149,6 +160,7 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("off_axis", totals.off_axis);
   visit("short_steps", totals.short_steps);
   visit("max_flux_mismatch", totals.max_flux_mismatch);
+  visit_hottest_glass(visit.part("hottest_glass"), totals.hottest_glass);
   visit_penetration_place(visit.part("deepest_node"), totals.deepest_node);
   visit_penetration_place(visit.part("deepest_edge"), totals.deepest_edge);
   visit_work(visit.part("work"), totals.work);

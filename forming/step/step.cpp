@@ -17,6 +17,7 @@
 #include "forming/step/flow/flow_step.hpp"
 #include "forming/step/flow/predictor.hpp"
 #include "forming/step/heat/bounds/table_excess.hpp"
+#include "forming/step/heat/bounds/temperature_bounds.hpp"
 #include "forming/step/heat/contact_opening.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surface_temperature.hpp"
@@ -203,10 +204,12 @@ StepResult coupled_step(const Scene& scene, const State& state, double dt, Works
     if (!pass_once(start, predictor, workspace, result)) return result;
   }
   State& after = result.state;
-  if (scene.has_flow() && scene.has_heat())
+  if (scene.has_flow() && scene.has_heat()) {
     after.totals.unforeseen_work +=
         unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
                         state.glass.temperature, after.glass.temperature, dt);
+    after.totals.hot_work += hot_work(scene, state, predictor.temperature, result.dissipation, dt);
+  }
   if (scene.has_flow()) update_rates(state, dt, after);
   if (scene.has_flow() && !workspace.static_stage) {
     correct_edges(scene, after);

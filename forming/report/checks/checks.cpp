@@ -7,6 +7,7 @@ Checks checks(const Scene& scene, const State& state, const RunFacts& facts) {
   Checks all;
   if (scene.has_heat()) add_heat_checks(scene, state, all);
   if (scene.has_flow()) add_flow_checks(scene, state, facts, all);
+  if (scene.has_heat() && scene.has_flow()) add_hot_glass_check(scene, state, all);
   add_capacity_checks(scene, state, facts, all);
   add_table_check(scene, state, all);
   return all;

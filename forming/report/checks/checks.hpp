@@ -17,6 +17,12 @@ void add_flow_checks(const Scene& scene, const State& state, const RunFacts& fac
 /// Those of a container: two ways to one volume from the drawings, and that of the formed glass beside it.
 void add_capacity_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
 
+/// That of glass hotter than all that can heat it, of a scene with heat and flow.
+void add_hot_glass_check(const Scene& scene, const State& state, Checks& checks);
+/// By how much glass was hotter than all that can heat it, when and where; empty where it was so by no more than is
+/// told.
+std::string hot_glass_text(const Scene& scene, const State& state);
+
 /// That of tables over temperature, where the scene has some.
 void add_table_check(const Scene& scene, const State& state, Checks& checks);
 

@@ -60,6 +60,7 @@ const std::vector<Spoilt> spoilt_numbers = {
      [](State& state, RunFacts&, double x) { state.tools[0].skin.wrong = x * state.tools[0].skin.exchanged; }},
     {"overshoot", [](State& state, RunFacts&, double x) { state.glass.bounds.overshoot = x * 1e3; }},
     {"overshoot", [](State& state, RunFacts&, double x) { state.tools[1].bounds.overshoot = x * 1e3; }},
+    {"hot_glass", [](State& state, RunFacts&, double x) { state.totals.hot_work = x * state.totals.work.dissipation; }},
     {"undershoot", [](State& state, RunFacts&, double x) { state.glass.bounds.undershoot = x * 1e3; }},
     {"undershoot", [](State& state, RunFacts&, double x) { state.tools[0].bounds.undershoot = x * 1e3; }},
     {"conductance_table", [](State& state, RunFacts&, double) { state.totals.clamped_lookups = 1; }},

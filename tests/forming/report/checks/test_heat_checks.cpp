@@ -12,6 +12,8 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/run.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/heat/bounds/temperature_bounds.hpp"
 
 namespace parison::forming {
 namespace {
@@ -52,6 +54,45 @@ TEST(Checks, heat_through_cells_that_do_not_resolve_the_skin_is_told_with_the_si
   const std::string summary = core::read_text(folder + "/summary.json");
   EXPECT_NE(summary.find("\"trustworthy\": false"), std::string::npos);
   EXPECT_NE(summary.find("\"name\": \"thermal_skin\""), std::string::npos);
+}
+
+TEST(Checks, glass_above_all_that_heats_it_is_told_with_stage_place_and_size_until_the_cells_are_as_thin_as_the_skin) {
+  // The disc on its plate for a moment, with a contact that chills it at once.
+  const auto chilled = [](const std::string& skin) {
+    std::string text = replaced("h = \"2000 W/m2/K\"", "h = \"50000 W/m2/K\"");
+    text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + "[numerics]\nskin_size = \"" + skin + "\"\n";
+    return scene_of(replaced("duration = \"1 s\"", "duration = \"20 ms\"", text));
+  };
+  const Scene thick = chilled("1.5 mm"), thin = chilled("0.1 mm");
+  const RunOutcome coarse = run(thick, {}, {}), fine = run(thin, {}, {});
+  ASSERT_TRUE(coarse.facts.completed && fine.facts.completed) << coarse.facts.reason << fine.facts.reason;
+  const HottestGlass& hottest = coarse.state.totals.hottest_glass;
+  const std::string told = hot_glass_text(thick, coarse.state);
+  std::printf("%s\nin thin cells %.2f K\n", told.c_str(), fine.state.totals.hottest_glass.above);
+  EXPECT_GT(hottest.above, 20);
+  EXPECT_EQ(told.find(fmt::format("{:.0f} K above all that heats it, in rest at ", hottest.above)), 0u) << told;
+  EXPECT_GT(hottest.z, 0.1e-3);
+  EXPECT_LT(hottest.z, 2.5e-3) << "one cell behind the skin";
+  EXPECT_GT(hottest.volume_share, 0);
+  EXPECT_LT(hottest.volume_share, 0.4);
+  EXPECT_LT(fine.state.totals.hottest_glass.above, 0.5 * hottest.above);
+}
+
+TEST(Checks, work_that_glass_too_hot_fails_to_do_is_that_of_its_viscosity) {
+  const Scene scene =
+      scene_of(replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }",
+                        "viscosity = { law = \"vft\", A = -2.309, B = \"3922 K\", T0 = \"291 degC\" }"));
+  const State start = initial_state(scene);
+  const auto cells = start.glass.mesh.cells().size();
+  const std::vector<double> dissipation(cells, 2.0 / static_cast<double>(cells));
+  const double source = hottest_source(scene, start);
+  const auto missing = [&](double above) {
+    return hot_work(scene, start, Eigen::VectorXd::Constant(start.glass.mesh.node_count(), source + above), dissipation,
+                    0.5);
+  };
+  const auto viscosity = [](double kelvin) { return std::pow(10, 3922 / (kelvin - 291 - 273.15)); };
+  EXPECT_EQ(missing(-1), 0);
+  EXPECT_NEAR(missing(40), viscosity(source) / viscosity(source + 40) - 1, 1e-9);
 }
 
 /// The check of tables over temperature, of the small scene with some values of it replaced; absent without a table.
