@@ -15,7 +15,7 @@ def radiation(case):
     figure, (wall, skin) = pyplot.subplots(1, 2, figsize=(9.5, 3.6), constrained_layout=True)
     for model, colour in COLOURS.items():
         run = store.run(case, f"light_{model}")
-        label = tables.MODELS[model].split(" (")[0]
+        label = tables.MODELS[model]
         known = [(i, t) for i, t in enumerate(run["thickness_profile_mm"]) if t is not None]
         last = len(run["thickness_profile_mm"]) - 1
         wall.plot([i / last for i, _ in known], [t for _, t in known], color=colour, label=label, linewidth=1.2)

@@ -340,7 +340,7 @@ def dwell(case):
     return table(["load in the dwell", "heat out of the glass by its end"], rows)
 
 
-MODELS = {"enclosure": "transfer, enclosure (the case)", "transfer": "transfer", "p1": "P1 in bands", "none": "none: opaque",
+MODELS = {"enclosure": "the case", "transfer": "transfer", "p1": "P1 in bands", "none": "none: opaque",
           "rosseland": "Rosseland"}
 
 
@@ -358,10 +358,10 @@ def radiation(case, *cases):
             received, radiated, seen = (heat_of(run, kind) for kind in ("heat_received_J", "heat_radiated_J", "heat_from_enclosure_J"))
             skins = ", ".join(f"{stage['name']} {stage['skin_mean_degC']:.0f}" for stage in run["stages"]
                               if "skin_mean_degC" in stage and stage["name"] in ("press", "settle_blow", "counter_blow", "dwell", "reheat"))
-            rows.append([each, label, f"{run['thickness']['min_mm']:.2f}, {run['thickness']['mean_mm']:.2f}", off,
+            rows.append([*([each] if cases else []), label, f"{run['thickness']['min_mm']:.2f}, {run['thickness']['mean_mm']:.2f}", off,
                          f"{received - radiated:.1f}", f"{radiated:.1f}" if radiated else "", f"{seen:.1f}" if seen else "", skins,
                          digits(run["cpu_seconds"])])
-    return table(["case", "radiation", "wall: least, mean, mm", "wall off: mean, largest", "conducted into tools, kJ", "light into them, kJ",
+    return table([*(["case"] if cases else []), "radiation", "wall: least, mean, mm", "wall off: mean, largest", "conducted into tools, kJ", "light into them, kJ",
                   "light to their open surfaces, kJ", "mean skin at the end of, degC", "CPU, s"], rows)
 
 
@@ -413,7 +413,7 @@ def blank_slopes(case):
         end = blank_end(case, name)
         slopes = [f"{(blank_end(case, changed + warmer)['glass_mean_degC'] - end['glass_mean_degC']) / 5:.2f}"
                   if changed + warmer in store.RUNS[case] else "" for warmer in ("_gob", "_tools")]
-        rows.append([MODELS[model].split(" (")[0], contact, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f}",
+        rows.append([MODELS[model], contact, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f}",
                      f"{end['glass_mean_degC']:.0f}", *slopes])
     return table(["radiation", "contact", "heat out of the glass by the end of the dwell, kJ", "mean of the glass then, degC",
                   "K of it per K of the gob", "per K of the blank side's tools"], rows)
