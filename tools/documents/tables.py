@@ -239,13 +239,27 @@ def expected():
                 yield case, label, found[label], bounds, expect.allowed(*bounds)
 
 
+def allowed_of(values):
+    """Of one value its bounds; of several times of a column their middles and what they may be off by."""
+    if len(values) > 1 and all(map(math.isfinite, (bound for _, bounds, _ in values for bound in bounds))):
+        return ", ".join(f"{(low + high) / 2:.6g}" for _, (low, high), _ in values) + f" ± {(values[0][1][1] - values[0][1][0]) / 2:.3g}"
+    allowed = "; ".join(dict.fromkeys(text for _, _, text in values))
+    for text, sign in SIGNS.items():
+        allowed = allowed.replace(text, sign)
+    return allowed
+
+
 def expectations():
-    """A case is named in its first row."""
+    """A case is named in its first row; a column at several times is one row."""
+    grouped = {}
+    for case, label, found, bounds, allowed in expected():
+        column, _, time = label.partition(" at ")
+        grouped.setdefault((case, column), []).append((time.removesuffix(" s"), (found, bounds, allowed)))
     rows, last = [], ""
-    for case, label, found, _, allowed in expected():
-        for text, sign in SIGNS.items():
-            allowed = allowed.replace(text, sign)
-        rows.append(["" if case == last else case, f"`{label}`", digits(found, 4), allowed])
+    for (case, column), values in grouped.items():
+        times = ", ".join(time for time, _ in values if time)
+        what = f"`{column}`" + (f" at {times} s" if times else "")
+        rows.append(["" if case == last else case, what, ", ".join(digits(found, 4) for _, (found, _, _) in values), allowed_of([of for _, of in values])])
         last = case
     return table(["case", "what", "measured", "allowed"], rows)
 
