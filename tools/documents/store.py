@@ -178,7 +178,8 @@ LARGEST_CHANGE = 0.01  # of their scale; walls of containers scatter by 0.1 to 0
 
 def changes(case, results):
     """A sentence for each quantity of a draft run that is no longer what is stored: the figures are older than the physics."""
-    now, known = figures(case, results)["quantities"], run(case, "draft")["quantities"]
+    known = run(case, "draft")["quantities"]
+    now = figures(case, results)["quantities"]
     all_heat = sum(quantity["value"] for name, quantity in known.items() if name.startswith("heat_"))
     for name in sorted(name for name in now.keys() | known.keys() if OF_PHYSICS.fullmatch(name)):
         if name not in now or name not in known:
