@@ -193,6 +193,32 @@ TEST(PeriodicState, temperatures_follow_the_whole_machine_cycle) {
   EXPECT_NEAR(samples.back().tools[0].surface_mean, samples.front().tools[0].surface_mean, 0.5);
 }
 
+TEST(HeatCycles, of_a_thin_tool_settle_with_other_cooling_as_production_does) {
+  Scene scene = scene_of(with(with(slab, "(0, -20)", "(0, -3)"), "(5, -20)", "(5, -3)"));
+  const MachineCycle cycle = machine_cycle(scene, 8.0);
+  const State initial = initial_state(scene);
+  const auto settled = [&](const std::string& folder) {
+    const PeriodicState state = periodic(scene, folder, 0.1);
+    EXPECT_EQ(state.failure, "");
+    return state.settled.start;
+  };
+  const Eigen::VectorXd before = settled("before");
+  ASSERT_GT(before.size(), 0);
+  HeatCycles cycles(scene, cycle, initial);
+  ASSERT_TRUE(cycles.learn(run_cycle(with_tools_at(scene, initial, before), cycle, "", never)));
+  for (const double h : {100.0, 1600.0}) {
+    set_cooling(scene, {"plate", "back", h});
+    const auto found = cycles.settled(before, 0.01);
+    ASSERT_TRUE(found);
+    const Eigen::VectorXd there = settled(h < 400 ? "warmer" : "colder");
+    ASSERT_EQ(there.size(), before.size());
+    EXPECT_GT(surface_change(initial, there - before), 100);
+    EXPECT_LT(surface_change(initial, *found - there), 0.1 * surface_change(initial, there - before)) << h;
+    RecordProperty("error_" + std::to_string(static_cast<int>(h)),
+                   std::to_string(surface_change(initial, *found - there)));
+  }
+}
+
 TEST(MachineCycle, takes_its_time_from_the_timing_of_the_case) {
   const std::string timed =
       with(slab, "[material.glass]",

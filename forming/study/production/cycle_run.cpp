@@ -35,21 +35,33 @@ ToolEnd between(const ToolState& before, const ToolState& after, double share) {
 class CycleObserver : public RunObserver {
  public:
   CycleObserver(const Scene& scene, const MachineCycle& cycle)
-      : scene_(scene), cycle_(cycle), ends(scene.tools.size(), never), ended(scene.tools.size()) {}
+      : scene_(scene),
+        cycle_(cycle),
+        used(scene.tools.size(), 0),
+        ends(scene.tools.size(), never),
+        ended(scene.tools.size()) {}
 
   void run_begins(const RunView& view) override {
     for (const ToolState& tool : view.state.tools) surfaces_.emplace_back(tool.mesh, scene_.geometry);
     start = tool_temperatures(view.state);
+    left = tools_of(view.state);
     met.assign(view.state.tools.size(), view.state.glass.temperature.mean());
     for (std::size_t t = 0; t < ends.size(); ++t)
       if (!scene_.tools[t].waits) ends[t] = cycle_.seconds_of(t);
   }
   void stage_begins(const RunView& view) override {
-    for (const StageTool& used : scene_.stages[view.state.stage].tools) {
-      if (std::exchange(begun_[used.tool], true)) continue;
-      met[used.tool] = view.state.glass.temperature.mean();
-      if (scene_.tools[used.tool].waits)
-        ends[used.tool] = view.state.time + cycle_.seconds_of(static_cast<std::size_t>(used.tool));
+    for (const StageTool& one : scene_.stages[view.state.stage].tools) {
+      if (std::exchange(begun_[one.tool], true)) continue;
+      met[one.tool] = view.state.glass.temperature.mean();
+      if (scene_.tools[one.tool].waits)
+        ends[one.tool] = view.state.time + cycle_.seconds_of(static_cast<std::size_t>(one.tool));
+    }
+  }
+  void stage_ends(const RunView& view) override {
+    for (const StageTool& one : scene_.stages[view.state.stage].tools) {
+      const auto t = static_cast<std::size_t>(one.tool);
+      used[t] = view.state.time - (ends[t] - cycle_.seconds_of(t));
+      left.tools[t].temperature = view.state.tools[t].temperature;
     }
   }
   void step_taken(const RunView& view, const State& before, const StepReport&) override {
@@ -99,6 +111,8 @@ class CycleObserver : public RunObserver {
  public:
   Eigen::VectorXd start;
   std::vector<double> met;
+  std::vector<double> used;                   ///< as in CycleRun
+  State left;                                 ///< the tools at the end of their use
   std::vector<double> ends;                   ///< of the cycles of the tools, s since the start of the container
   std::vector<std::optional<ToolEnd>> ended;  ///< by tool
   std::vector<CycleSample> samples;
@@ -173,6 +187,8 @@ CycleRun run_cycle(const Scene& scene, const MachineCycle& cycle, const std::str
   result.failure = result.forming.facts.completed ? "" : result.forming.facts.reason;
   result.start = observer.start;
   result.met = observer.met;
+  result.used = observer.used;
+  result.left = tool_temperatures(observer.left);
   if (!result.failure.empty()) return result;
   State tools = tools_of(result.forming.state);
   result.failure = idle_rest(scene, tools, observer);

@@ -31,6 +31,8 @@ struct CycleRun {
   RunOutcome forming;
   Eigen::VectorXd start, end;  ///< tool_temperatures at both ends of the cycle of each tool, K
   std::vector<double> met;     ///< mean temperature of the glass when the use of each tool begins, K
+  std::vector<double> used;    ///< when the use of each tool ends, s since the start of its cycle; 0 for one without
+  Eigen::VectorXd left;        ///< tool_temperatures at that end, K
   std::vector<CycleHeat> heat;
   std::vector<CycleSample> samples;
 };

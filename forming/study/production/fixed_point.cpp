@@ -19,12 +19,18 @@ struct Search {
   const VectorMap& map;
   const FixedPointOptions& options;
   FixedPointOutcome outcome;
+  double least = std::numeric_limits<double>::infinity();  ///< change so far
+  Eigen::VectorXd best = {};                               ///< value of the map that belongs to it
+  bool again = false;                                      ///< whether KINSOL is to begin anew from there
 };
 
-/// The map at `at`. What is negative ends KINSOL: the tolerance is met, or nothing more can be evaluated.
+/// The map at `at`. What is negative ends KINSOL: the tolerance is met, nothing more can be evaluated, or the
+/// acceleration leads away: close to the end the changes it goes by are nearly parallel.
 int evaluate(N_Vector at, N_Vector image, void* data) {
   constexpr int enough = -1;
+  constexpr double away = 10;  // times the least change so far
   auto& search = *static_cast<Search*>(data);
+  search.again = false;
   if (search.outcome.evaluations == search.options.max_evaluations) return enough;
   const Eigen::VectorXd x = view(at);
   auto value = search.map(x);
@@ -34,7 +40,9 @@ int evaluate(N_Vector at, N_Vector image, void* data) {
   search.outcome.change = search.options.size(*value - x);
   search.outcome.value = std::move(*value);
   search.outcome.converged = search.outcome.change <= search.options.tolerance;
-  return search.outcome.converged ? enough : 0;
+  search.again = !search.outcome.converged && search.outcome.change > away * search.least;
+  if (search.outcome.change < search.least) search.least = search.outcome.change, search.best = search.outcome.value;
+  return search.outcome.converged || search.again ? enough : 0;
 }
 
 void say_nothing(int, const char*, const char*, char*, void*) {}
@@ -59,6 +67,10 @@ FixedPointOutcome find_fixed_point(const Eigen::VectorXd& start, const VectorMap
   KINSetUserData(solver, &search);
   KINSetFuncNormTol(solver, std::numeric_limits<double>::min());  // the callback says when it is enough
   KINSol(solver, x, KIN_FP, scale, scale);
+  while (search.again) {
+    view(x) = search.best;
+    KINSol(solver, x, KIN_FP, scale, scale);
+  }
   KINFree(&solver);
   N_VDestroy(scale);
   N_VDestroy(x);

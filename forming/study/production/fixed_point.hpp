@@ -25,8 +25,9 @@ struct FixedPointOutcome {
 };
 
 /// Looks for x = map(x) by the fixed-point iteration of SUNDIALS KINSOL with Anderson's acceleration (D. G. Anderson,
-/// J. ACM 12 (1965) 547-560; H. F. Walker, P. Ni, SIAM J. Numer. Anal. 49 (2011) 1715-1735). It stops at the first x
-/// that meets the tolerance and where the map cannot be evaluated.
+/// J. ACM 12 (1965) 547-560; H. F. Walker, P. Ni, SIAM J. Numer. Anal. 49 (2011) 1715-1735). Where that leads
+/// away it begins anew from the best so far. It stops at the first x that meets the tolerance and where the map cannot
+/// be evaluated.
 FixedPointOutcome find_fixed_point(const Eigen::VectorXd& start, const VectorMap& map,
                                    const FixedPointOptions& options);
 

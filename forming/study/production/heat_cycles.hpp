@@ -1,21 +1,23 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <optional>
 
 #include "forming/study/production/cycle_run.hpp"
 
 namespace parison::forming {
 
-/// Machine cycles of the tools alone, without forming: what one forming run has left in them, field by field, is added
-/// to a cycle in which no glass touches them. It is in proportion to the excess of the glass, when it first meets the
-/// tool, over the temperature of the place at the cycle's start. At the temperatures of the run itself this is the run.
+/// Machine cycles of the tools alone, without forming. When the glass leaves a tool, each place of it is as much nearer
+/// to the temperature of the glass, when that first meets the tool, as one forming run has brought it there. That
+/// share is between none and all, so that no place passes the glass, and cycle after cycle settles. Then the tool
+/// cools as it does without glass. At the temperatures of the run itself this is the run.
 class HeatCycles {
  public:
   HeatCycles(const Scene& scene, const MachineCycle& cycle, const State& initial);
 
-  /// Takes what this run has left in the tools. False where the tools alone cannot be computed.
+  /// Takes what this run has done to the tools. False where the tools alone cannot be computed.
   bool learn(const CycleRun& run);
-  /// Takes the heat with which a cycle gives these temperatures back; learn has been called. False as there.
+  /// Corrects it by what a cycle lacks to give these temperatures back; learn has been called. False as there.
   bool hold(const Eigen::VectorXd& temperatures);
   /// Tool temperatures a cycle later.
   std::optional<Eigen::VectorXd> next(const Eigen::VectorXd& temperatures) const;
@@ -23,15 +25,21 @@ class HeatCycles {
   std::optional<Eigen::VectorXd> settled(const Eigen::VectorXd& start, double tolerance) const;
 
  private:
+  /// What the use of the tool of this index does to its temperatures, that are given without glass.
+  using Use = std::function<void(std::size_t tool, Eigen::VectorXd& temperature)>;
+
   /// When the cycles of the tools end, s since the start of a container.
   std::vector<double> tool_ends() const;
-  std::optional<Eigen::VectorXd> without_glass(const Eigen::VectorXd& temperatures) const;
+  /// Tool temperatures a cycle later, with what their uses do at the end of each.
+  std::optional<Eigen::VectorXd> cycle_with(const Eigen::VectorXd& temperatures, const Use& use) const;
 
   const Scene& scene_;
   const MachineCycle& cycle_;
   State tools_;
-  Eigen::VectorXd start_, imprint_;  ///< of the run: temperatures at its start and what it has left, K, by node
-  std::vector<double> met_;          ///< K, by tool
+  std::vector<double> use_ends_;        ///< s since the start of a container, by tool; infinity for one without use
+  std::vector<Eigen::VectorXd> kept_;   ///< by tool and node: share of the temperature without glass
+  std::vector<Eigen::VectorXd> given_;  ///< what is added to it when the use ends, K
+  Eigen::VectorXd rest_;                ///< what is added to tool_temperatures at the end of the cycle, K
 };
 
 }  // namespace parison::forming

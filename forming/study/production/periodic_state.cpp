@@ -27,8 +27,9 @@ namespace {
 /// Of Anderson's acceleration; the first iterations are plain ones, which come close to the state in most scenes.
 constexpr int anderson_depth = 2, anderson_delay = 2;
 
-/// Heat-only cycles settle to this share of the tolerance.
-constexpr double heat_only_share = 0.02;
+/// Heat-only cycles settle until one changes them by this share of the tolerance; those of a tool that takes hundreds
+/// are hundreds of times as far from where they settle.
+constexpr double heat_only_share = 0.002;
 
 /// The search and what it has so far.
 struct Search {

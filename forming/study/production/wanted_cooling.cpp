@@ -22,8 +22,9 @@ constexpr double zero_celsius = 273.15;
 /// The largest h of a tool stays between that of still air behind insulation and that of boiling water, W/m2/K.
 constexpr double insulated = 1, hardest = 1e5;
 
-/// Heat-only cycles settle to this share of what a wanted temperature is met to, the secant to a tenth of it.
-constexpr double settles_to = 0.01, secant_to = 0.1;
+/// Heat-only cycles settle to this share of what a wanted temperature is met to, the secant to a tenth of it. A tool
+/// that takes hundreds of cycles is hundreds of times as far from where it settles as it changes in one.
+constexpr double settles_to = 2e-4, secant_to = 0.1;
 
 std::size_t index_of(const Scene& scene, const std::string& name) {
   const auto found =
@@ -97,6 +98,7 @@ struct Goal {
   double above_gob, met;   ///< of the run: mean of the surface over that at the gob; glass over that, K
   double resistance;       ///< 1/h now, m2K/W
   double temperature = 0;  ///< with it, K
+  double slope = 0;        ///< of it by 1/h, from the last two that differ enough; 0 at first
   double before_resistance = 0, before = 0;
 
   double off() const { return temperature - wanted; }
@@ -105,10 +107,8 @@ struct Goal {
   }
   /// The next 1/h; the first guess takes all of the resistance for that of the cooling.
   double next(double cold) const {
-    const double slope = (temperature - before) / (resistance - before_resistance);
-    const double step = before_resistance > 0 && std::isfinite(slope) && slope > 0
-                            ? -off() / slope
-                            : resistance * ((wanted - cold) / std::max(temperature - cold, 1.0) - 1);
+    const double step =
+        slope > 0 ? -off() / slope : resistance * ((wanted - cold) / std::max(temperature - cold, 1.0) - 1);
     constexpr double most = 10;  // times as much or as little in one step
     const double limited = std::clamp(resistance + step, resistance / most, resistance * most);
     return std::clamp(limited, 1 / hardest, 1 / insulated);
@@ -125,8 +125,12 @@ double surface_mean(const CoolingSearch& search, const Scene& scene, const Eigen
 }
 
 void measure(const CoolingSearch& search, const Scene& scene, const Eigen::VectorXd& settled, Goal& goal) {
+  constexpr double enough = 0.01;  // of 1/h: a smaller change moves the tool by less than it is settled to
   const double at_gob = surface_mean(search, scene, settled, goal.tool);
   goal.temperature = at_gob + goal.above_gob * (goal.met - at_gob);
+  const double change = goal.resistance - goal.before_resistance;
+  if (goal.before_resistance > 0 && std::abs(change) >= enough * goal.resistance)
+    goal.slope = (goal.temperature - goal.before) / change;
 }
 
 std::vector<Goal> goals_of(const CoolingSearch& search, const Scene& scene, const CycleRun& run) {
