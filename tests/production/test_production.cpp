@@ -442,10 +442,11 @@ TEST(WantedCooling, that_no_cooling_gives_is_told_in_a_sentence) {
 }
 
 TEST(WantedCooling, of_what_has_none_to_change_is_refused_before_any_run) {
-  const auto refused = [](const std::string& text, const std::vector<WantedTool>& wanted) -> std::string {
+  const auto refused = [](const std::string& text, const std::vector<WantedTool>& wanted,
+                          double seconds = 8) -> std::string {
     const Scene scene = scene_of(text);
     try {
-      check_wanted(scene, machine_cycle(scene, 8.0), wanted);
+      check_wanted(scene, machine_cycle(scene, seconds), wanted);
     } catch (const core::CaseError& error) {
       return error.what();
     }
@@ -457,6 +458,13 @@ TEST(WantedCooling, of_what_has_none_to_change_is_refused_before_any_run) {
   EXPECT_NE(refused(slab, {{"plate", 700}, {"plate", 710}}).find("found twice"), std::string::npos);
   EXPECT_NE(refused(slab, {{"plate", 300}}).find("which no cooling gives"), std::string::npos);
   EXPECT_NE(refused(slab, {{"plate", 1300}}).find("which no cooling gives"), std::string::npos);
+  EXPECT_EQ(refused(slab, {{"plate", 900}}), "");
+  // By hand: 5e-3 m2 at 20 W/m2/K and 627 - 50 K lose 208 kJ in 3599 s; 0.12 kg of 1300 J/kg/K have 148 kJ above 50
+  // degC.
+  EXPECT_NE(refused(slab, {{"plate", 900}}, 3600).find("the glass of a container has 148 kJ"), std::string::npos);
+  const std::string long_use =
+      with(slab, R"(name = "contact", duration = "1 s")", R"(name = "contact", duration = "6 s")");
+  EXPECT_EQ(refused(long_use, {{"plate", 400}}), "");
   const std::string over_time =
       with(slab, R"(h = "400 W/m2/K")", R"(h = [["0 s", "400 W/m2/K"], ["1 s", "300 W/m2/K"]])");
   EXPECT_NE(refused(over_time, {{"plate", 700}}).find("an h over time"), std::string::npos);

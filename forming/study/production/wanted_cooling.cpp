@@ -10,9 +10,13 @@
 
 #include "core/case/case_error.hpp"
 #include "forming/report/process/tool_surface.hpp"
+#include "forming/state/initial_state.hpp"
+#include "forming/step/heat/surroundings.hpp"
 #include "forming/study/production/machine_cycle.hpp"
 #include "forming/study/production/surface_range.hpp"
 #include "forming/study/production/tool_fields.hpp"
+#include "thermal/properties.hpp"
+#include "thermal/radiation/planck.hpp"
 
 namespace parison::forming {
 namespace {
@@ -69,6 +73,47 @@ void require_between(const Scene& scene, const Tool& tool, double wanted) {
         "--want {}: {:.4g} degC was found, which no cooling gives: allowed are temperatures between that of what cools "
         "it, {:.4g} degC, and that of the glass, {:.4g} degC",
         tool.name, wanted - zero_celsius, coldest - zero_celsius, hottest - zero_celsius));
+}
+
+/// The least that a place of the contact surface of a tool loses in any stage without glass, W/m2.
+double least_lost(const Scene& scene, State& state, std::size_t tool, double temperature) {
+  double least = std::numeric_limits<double>::infinity();
+  const core::Mesh& mesh = state.tools[tool].mesh;
+  for (state.stage = 0; state.stage < static_cast<Index>(scene.stages.size()); ++state.stage) {
+    const auto exchanges = surroundings(scene, state, body_of_tool(static_cast<Index>(tool)), mesh);
+    for (std::size_t b = 0; b < exchanges.size(); ++b) {
+      if (mesh.boundaries()[b].kind != BoundaryKind::contact) continue;
+      double lost = 0;
+      if (exchanges[b])
+        lost = exchanges[b]->h.min() * (temperature - exchanges[b]->air_temperature.max()) +
+               exchanges[b]->emissivity * thermal::stefan_boltzmann *
+                   (std::pow(temperature, 4) - std::pow(exchanges[b]->ambient_temperature.max(), 4));
+      least = std::min(least, lost);
+    }
+  }
+  return least;
+}
+
+/// In a long cycle the surface of a tool loses more to the air than all of the glass could give it. While the glass
+/// is there the surface may be as hot as that and lose nothing.
+void require_heat(const Scene& scene, const MachineCycle& cycle, const WantedTool& wanted) {
+  const std::size_t tool = index_of(scene, wanted.name);
+  State state = initial_state(scene);
+  const double glass = state.glass.temperature.maxCoeff(), seconds = cycle.seconds_of(tool),
+               used = cycle.uses[tool].end - cycle.uses[tool].begin, free = seconds - used;
+  if (free <= 0) return;
+  const double temperature = std::max(0.0, (wanted.temperature * seconds - glass * used) / free);
+  const double area =
+      ToolSurface(state.tools[tool].mesh, scene.geometry).temperatures(state.tools[tool], 0).surface_area_above;
+  const double lost = area * free * least_lost(scene, state, tool, temperature);
+  const thermal::Enthalpy enthalpy(scene.glass.thermal->heat_capacity);
+  const double given = state.glass.mass * (enthalpy(glass).h - enthalpy(coolant(scene.tools[tool])).h);
+  if (lost <= given) return;
+  throw core::CaseError(fmt::format(
+      "--want {}: {:.4g} degC was found, which no cooling gives: in the {:.4g} s of its cycle without glass, at {:.0f} "
+      "degC or more, its surface loses {:.3g} kJ to the air and the glass of a container has {:.3g} kJ; allowed are a "
+      "lower temperature or a shorter cycle",
+      wanted.name, wanted.temperature - zero_celsius, free, temperature - zero_celsius, lost * 1e-3, given * 1e-3));
 }
 
 double largest_h(const Tool& tool) {
@@ -187,6 +232,7 @@ void check_wanted(const Scene& scene, const MachineCycle& cycle, const std::vect
       throw core::CaseError(fmt::format("--want {}: no stage uses it, allowed are tools that glass warms", one.name));
     require_cooling(scene, scene.tools[tool]);
     require_between(scene, scene.tools[tool], one.temperature);
+    require_heat(scene, cycle, one);
   }
 }
 

@@ -23,7 +23,9 @@ struct Cooling {
 };
 
 /// Throws core::CaseError for a tool that is not in the scene, not used, wanted twice, or without a `cooled` boundary
-/// of constant h, and for a temperature that does not lie between those of its cooling and of the glass.
+/// of constant h, for a temperature that does not lie between those of its cooling and of the glass, and for one at
+/// which the surface without glass loses more to the air than the glass has. What else no cooling gives only a forming
+/// run can say: how much of a tool the glass touches, and how well.
 void check_wanted(const Scene& scene, const MachineCycle& cycle, const std::vector<WantedTool>& wanted);
 
 /// The `cooled` boundaries of the wanted tools as the scene has them.
