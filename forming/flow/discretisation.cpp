@@ -3,6 +3,7 @@
 
 #include "core/mesh/element.hpp"
 #include "forming/flow/cells/expansion.hpp"
+#include "forming/flow/contact/grip.hpp"
 
 namespace parison::flow {
 
@@ -23,7 +24,8 @@ Eigen::VectorXd dilatation_load(const Problem& problem, const CellGeometry& geom
       for (int p = 0; p < 3; ++p) load[velocities + mesh.cells()[c][p]] -= linear[p] * volume;
     }
   for (const auto& candidate : problem.candidates)
-    if (candidate.tied && candidate.node < mesh.vertex_count()) load[velocities + candidate.node] = 0;
+    if (candidate.tied && !held_by_form(problem, candidate) && candidate.node < mesh.vertex_count())
+      load[velocities + candidate.node] = 0;
   return load;
 }
 
@@ -32,17 +34,20 @@ Eigen::VectorXd dilatation_load(const Problem& problem, const CellGeometry& geom
 void update_viscosity(const Problem& problem, const Eigen::VectorXd& velocity, Discretisation& discretisation) {
   discretisation.viscosity = viscosity_field(problem, discretisation.geometry, velocity);
   discretisation.cells = cell_matrices(problem, discretisation.geometry, discretisation.viscosity);
+  add_grips(*problem.mesh, discretisation.grip_resistance, discretisation.cells);
   if (!problem.expansion_rate.empty())
     discretisation.expansion_load = expansion_load(problem, discretisation.geometry, discretisation.viscosity);
 }
 
 Discretisation discretise(const Problem& problem) {
   const auto& mesh = *problem.mesh;
-  Discretisation result{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}, {}, {}};
+  Discretisation result{cell_geometry(mesh, problem.geometry), surface_edges(problem), {}, {}, {}, {}, {}, {}, {}};
+  result.grip_resistance = grip_resistance(problem, result.surface);
   update_viscosity(problem, {}, result);
   if (problem.material->shear_thinning) result.shear_thinning_jacobian = result.cells;
   result.dilatation_load = dilatation_load(problem, result.geometry);
   result.load = cell_loads(mesh, result.cells) + problem.dilatation_rate * result.dilatation_load;
+  result.load.head(dim * mesh.node_count()) += grip_load(problem, result.grip_resistance);
   return result;
 }
 

@@ -15,8 +15,9 @@ struct Discretisation {
   CellMatrices cells;             ///< K with that viscosity
   CellMatrices
       shear_thinning_jacobian;      ///< d(K x)/dx or K, as the last linearisation chose; empty without shear thinning
+  Eigen::VectorXd grip_resistance;  ///< of each node to motion against the tool that holds it, N.s/m; empty without
   Eigen::VectorXd dilatation_load;  ///< right-hand side of div v = 1/s, one entry per unknown
-  Eigen::VectorXd load;             ///< gravity, body force and the prescribed div v, one entry per unknown, N and m3/s
+  Eigen::VectorXd load;             ///< gravity, body force, grips and the prescribed div v, one per unknown, N, m3/s
   Eigen::VectorXd expansion_load;   ///< of the change of density, likewise; empty without one
 
   /// The matrices of the linearised equations.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "forming/flow/cells/expansion.hpp"
+#include "forming/flow/contact/grip.hpp"
 
 namespace parison::flow {
 
@@ -74,6 +75,20 @@ void evaluate_contact(const Problem& problem, const Equilibrium& equilibrium, So
     result.exposed.push_back(!(in_contact[edge.nodes[0]] && in_contact[edge.nodes[1]] && in_contact[edge.nodes[2]]));
 }
 
+/// Forces of the tools that hold glass by their form, and what it loses that moves against them.
+void evaluate_grips(const Problem& problem, const Equilibrium& equilibrium, Solution& result) {
+  Eigen::VectorXd resistance = equilibrium.discretisation.grip_resistance;
+  if (resistance.size() == 0) return;
+  for (const ContactCandidate& candidate : problem.candidates) {
+    if (!held_by_form(problem, candidate)) continue;
+    const Point relative =
+        node_velocity(result.velocity, candidate.node) - result.tool_velocity[candidate.tool] * core::axis_direction();
+    const double here = std::exchange(resistance[candidate.node], 0);  // a node in a corner counts once
+    result.tool_force[candidate.tool] -= here * relative.dot(core::axis_direction());
+    result.friction_power += here * relative.squaredNorm();
+  }
+}
+
 /// What the step leaves of trapped air.
 void evaluate_air(const Problem& problem, const Equilibrium& equilibrium, Solution& result) {
   if (!problem.air) return;
@@ -141,6 +156,7 @@ Solution evaluate(const Problem& problem, Equilibrium equilibrium) {
   result.tool_velocity = equilibrium.response.tool_velocity;
   evaluate_contact(problem, equilibrium, result);
   evaluate_powers(problem, equilibrium, result);
+  evaluate_grips(problem, equilibrium, result);
   evaluate_air(problem, equilibrium, result);
   result.dilatation_mode = std::move(equilibrium.dilatation_mode);
   result.tool_dilatation_mode = std::move(equilibrium.tool_dilatation_mode);

@@ -10,6 +10,7 @@
 
 #include "contact/unilateral/tool_gap.hpp"
 #include "core/mesh/tolerances.hpp"
+#include "forming/flow/contact/grip.hpp"
 #include "forming/remeshing/mesh_smoothing.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_criteria.hpp"
@@ -42,7 +43,7 @@ Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_s
 }
 
 /// The tool in contact with each new surface node: that of the nearest old surface node, where the new node's gap is
-/// small too.
+/// small too, or no wider than what a tool that grips reaches over.
 std::vector<Index> carried_contact(const Scene& scene, const State& old, const remesh::Transfer& transfer,
                                    const core::Mesh& mesh) {
   const core::Mesh& from = old.glass.mesh;
@@ -56,9 +57,10 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const r
     const Body& body = scene.tools[tool];
     const auto contact = contact_boundaries(body);
     const Point local = x - old.tools[tool].offset * core::axis_direction();
-    if (contact::signed_gap(body.profile, contact, local) <
-        core::tolerance::contact_after_remesh * core::size(scene.glass.profile))
-      tools[node] = tool;
+    const double reach = scene.tools[tool].friction.law == flow::Friction::Law::grip
+                             ? flow::depth_of_form
+                             : core::tolerance::contact_after_remesh;
+    if (contact::signed_gap(body.profile, contact, local) < reach * core::size(scene.glass.profile)) tools[node] = tool;
   }
   return tools;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/cells/expansion.hpp"
 
+#include "forming/flow/contact/grip.hpp"
+
 namespace parison::flow {
 
 using core::dim;
@@ -32,7 +34,8 @@ Eigen::VectorXd expansion_load(const Problem& problem, const CellGeometry& geome
       for (int p = 0; p < 3; ++p) load[velocities + mesh.cells()[c][p]] -= linear(q, p) * change;
     }
   for (const auto& candidate : problem.candidates)
-    if (candidate.tied && candidate.node < mesh.vertex_count()) load[velocities + candidate.node] = 0;
+    if (candidate.tied && !held_by_form(problem, candidate) && candidate.node < mesh.vertex_count())
+      load[velocities + candidate.node] = 0;
   return load;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/mesh/tolerances.hpp"
+#include "forming/flow/contact/grip.hpp"
 
 namespace parison::flow {
 
@@ -31,6 +32,11 @@ double round_off_force(const Problem& problem) {
   return problem.material->viscosity(hottest) * speed * size;
 }
 
+/// Whether a candidate is active whatever pulls on it.
+bool stays_active(const Problem& problem, const ContactCandidate& candidate) {
+  return candidate.tied && !held_by_form(problem, candidate);
+}
+
 /// Tension of each active contact that may open, Pa; 0 of all others, and where it is round-off.
 Eigen::VectorXd contact_tension(const Problem& problem, const Response& response, const Eigen::VectorXd& area,
                                 const std::vector<bool>& active) {
@@ -41,7 +47,7 @@ Eigen::VectorXd contact_tension(const Problem& problem, const Response& response
   Eigen::VectorXd tension = Eigen::VectorXd::Zero(force.size());
   for (Index i = 0; i < tension.size(); ++i) {
     const auto& candidate = problem.candidates[i];
-    if (!active[i] || candidate.tied || force[i] >= 0) continue;
+    if (!active[i] || force[i] >= 0 || stays_active(problem, candidate)) continue;
     // At a vertex the sign is that of the lumped force: the consistent force of a quadratic shape function may vanish
     // or oscillate there.
     const bool vertex = candidate.node < problem.mesh->vertex_count();
@@ -57,7 +63,8 @@ Eigen::VectorXd contact_tension(const Problem& problem, const Response& response
 std::vector<bool> initial_active_set(const Problem& problem, const std::vector<bool>& guess) {
   std::vector<bool> active(problem.candidates.size(), false);
   for (std::size_t i = 0; i < active.size(); ++i)
-    active[i] = problem.candidates[i].tied || (guess.empty() ? problem.candidates[i].rate >= 0 : bool(guess[i]));
+    active[i] = stays_active(problem, problem.candidates[i]) ||
+                (guess.empty() ? problem.candidates[i].rate >= 0 : bool(guess[i]));
   return active;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/mesh/element.hpp"
+#include "forming/flow/contact/grip.hpp"
 #include "forming/flow/contact/wedged_corner.hpp"
 
 namespace parison::flow {
@@ -192,6 +193,9 @@ bool activate_first_met(const Problem& problem, int axis, double load, std::vect
 
 bool support(const Problem& problem, const Eigen::VectorXd& load, std::vector<bool>& active, Constraints& constraints) {
   const bool rings = core::hoop(problem.geometry, Point::Ones()) != 0;
+  if (std::any_of(problem.candidates.begin(), problem.candidates.end(),
+                  [&](const auto& candidate) { return held_by_form(problem, candidate); }))
+    return true;
   for (int axis = rings ? dim - 1 : 0; axis < dim; ++axis) {
     if (resists(constraints.nodes, axis)) continue;
     double force = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "forming/flow/contact/grip.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/edge_constraints.hpp"
 #include "forming/step/contact/first_touch.hpp"
@@ -90,6 +91,7 @@ struct StepPath {
   const PlacedTools& placed;
   const Eigen::VectorXd& velocity;
   const std::vector<double>& tool_speed;
+  const std::vector<bool>& driven;  ///< by force
   double dt;
   ContactsOfNodes contacts;
 
@@ -178,7 +180,7 @@ bool comes_through_another_face(const StepPath& step, Index node, const Bound& b
 }
 
 flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Bound& bound) {
-  const auto& [scene, state, placed, velocity, tool_speed, dt, contacts] = step;
+  const auto& [scene, state, placed, velocity, tool_speed, driven, dt, contacts] = step;
   const Index tool = bound.tool;
   const Point& x = state.glass.mesh.nodes[node];
   const Point relative = flow::node_velocity(velocity, node) - tool_speed[tool] * core::axis_direction();
@@ -197,7 +199,8 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
   // A middle is not held where the end of its edge has left the tool so far that the edge between would enter it.
   const bool peels = bound.clearance > placed.resting && !bound.lies_over;
   const double closed = std::max(bound.clearance, clearance) + placed.at_tool;
-  const bool tied = (drawn_on || (touched && !peels && gap <= closed)) && grips;
+  const double holds = driven[tool] ? closed : std::max(closed, flow::depth_of_form * core::size(scene.glass.profile));
+  const bool tied = (drawn_on || (touched && !peels && gap <= holds)) && grips;
   // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew there,
   // because next to a corner the linearised gap can be negative for a node that is outside; but a wall that is extended
   // past a joint has no tool behind it.
@@ -206,9 +209,10 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
   const double depth = gap >= 0 ? std::max(0.0, clearance - gap) : inside + clearance;
   const double share = bound.of_edge && !bound.lies_over ? 0 : std::min(1.0, dt / recovery_time(scene, state, node));
   const double kept = depth - share * std::max(0.0, depth - placed.resting);
-  const double rate = tied ? 0.0 : (clearance - gap - kept) / dt;
+  const bool closes = !tied || gap > closed;
+  const double rate = closes ? (clearance - gap - kept) / dt : 0.0;
   const double fraction = touched ? 1 : fraction_in_contact(gap - clearance, dt * approach, placed.coincident);
-  return {node, tool, constraint.normal, rate, tied, fraction, relative, tied ? 0.0 : (depth - kept) / dt};
+  return {node, tool, constraint.normal, rate, tied, fraction, relative, closes ? (depth - kept) / dt : 0.0};
 }
 
 }  // namespace
@@ -217,9 +221,11 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
                                                        const Eigen::VectorXd& velocity, double dt) {
   const auto motions = tool_motions(scene, state, dt);
   std::vector<double> speed, offset;
+  std::vector<bool> driven;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     speed.push_back(motions[i].velocity);
     offset.push_back(state.tools[i].offset);
+    driven.push_back(motions[i].force.has_value());
   }
   for (const StageTool& tool : scene.stages[state.stage].tools) {
     if (motions[tool.tool].force) speed[tool.tool] = predicted_speed(scene, state, tool, velocity, dt);
@@ -228,7 +234,8 @@ std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const
   const core::Mesh& glass = state.glass.mesh;
   const auto tools = active_tools(scene, state);
   const PlacedTools placed(scene, tools, offset);
-  const StepPath step{scene, state, placed, velocity, speed, dt, {state.glass.active_contacts, glass.node_count()}};
+  const StepPath step{scene, state,  placed, velocity,
+                      speed, driven, dt,     {state.glass.active_contacts, glass.node_count()}};
   std::vector<flow::ContactCandidate> candidates;
   const auto may_touch = touching_nodes(glass);
   const auto edge_of = edges_of_middles(glass);

@@ -37,6 +37,7 @@ std::vector<bool> likely_contacts(const State& state, const ActiveContacts& acti
     if (active.node.empty())
       was = (state.glass.contact_tool[candidate.node] == candidate.tool && candidate.node != last_node) ||
             (state.last_step == 0 && candidate.rate >= 0);
+    if (candidate.tied && candidate.rate < 0) was = false;  // has come off and is held by the form of the tool alone
     const double tool_speed = state.tools[candidate.tool].velocity;
     const Point relative = flow::node_velocity(guess, candidate.node) - tool_speed * core::axis_direction();
     likely.push_back(was || (state.last_step > 0 && candidate.normal.dot(relative) < candidate.rate));

@@ -85,6 +85,8 @@ void store_flow(const Scene& scene, const FlowPass& pass, double dt, State& stat
   std::fill(state.glass.contact_tool.begin(), state.glass.contact_tool.end(), -1);
   for (std::size_t i = candidates.size(); i-- > 0;)
     if (solution.active[i]) state.glass.contact_tool[candidates[i].node] = candidates[i].tool;
+  for (const auto& candidate : candidates)  // glass that has come off a tool that grips is still held by it
+    if (Index& tool = state.glass.contact_tool[candidate.node]; candidate.tied && tool < 0) tool = candidate.tool;
   state.glass.active_contacts = {};
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (solution.active[i]) {

@@ -75,7 +75,7 @@ TEST(WedgedCorner, what_gives_way_loses_the_work_that_the_tools_do) {
 }
 
 TEST(WedgedCorner, tools_that_move_together_or_along_each_other_without_a_wedge_hold_the_glass_as_it_was) {
-  FlowProblem flow = ring_around_cone(8, Friction::Law::grip);
+  FlowProblem flow = ring_around_cone(8, Friction::Law::stick);
   flow.problem.tools[0].velocity = speed;  // both move: a rigid translation
   auto solution = flow.solve();
   ASSERT_TRUE(solution.converged) << solution.reason;
@@ -89,7 +89,7 @@ TEST(WedgedCorner, tools_that_move_together_or_along_each_other_without_a_wedge_
 }
 
 TEST(WedgedCorner, the_glass_is_held_where_the_corner_is_far) {
-  const FlowProblem flow = ring_around_cone(16, Friction::Law::grip);
+  const FlowProblem flow = ring_around_cone(16, Friction::Law::stick);
   FlowProblem solved = flow;
   const auto solution = solved.solve();
   ASSERT_TRUE(solution.converged) << solution.reason;
