@@ -156,13 +156,13 @@ class Reference {
     if (times_.all > 0) exact_ = heat(fine_side(side), std::min(side.first_cell, side.depth));
   }
 
-  double error_of(const SkinSide& side, double least_heat) const {
+  double error_of(const SkinSide& side) const {
     if (!(exact_.exchanged > 0)) return 0;
     const Heat found = heat(side, std::min(side.first_cell, side.depth));
     double error = 0;
     for (std::size_t i = 0; i < found.given.size(); ++i)
       error = std::max(error, std::abs(found.given[i] - exact_.given[i]));
-    return error / std::max(exact_.exchanged, least_heat);
+    return error / exact_.exchanged;
   }
   double shortest() const { return times_.shortest; }
 
@@ -181,11 +181,11 @@ class Reference {
 }  // namespace
 
 double skin_error(const SkinSide& side, double start_temperature, const SkinHistory& history) {
-  return Reference(side, start_temperature, history).error_of(side, 0);
+  return Reference(side, start_temperature, history).error_of(side);
 }
 
-double fitting_first_cell(const SkinSide& side, double start_temperature, const SkinHistory& history, double tolerance,
-                          double least_heat) {
+double fitting_first_cell(const SkinSide& side, double start_temperature, const SkinHistory& history,
+                          double tolerance) {
   constexpr double step = 0.8;     // from one cell that is tried to the next
   constexpr double small = 0.1;    // of the penetration depth: smaller ones always do
   constexpr int smaller_ones = 3;  // that have to do too: an error may change its sign
@@ -194,7 +194,7 @@ double fitting_first_cell(const SkinSide& side, double start_temperature, const 
   SkinSide tried = side;
   double fitting = side.first_cell;
   for (int well = 0; tried.first_cell > least && well <= smaller_ones; tried.first_cell *= step) {
-    if (exact.error_of(tried, least_heat) <= tolerance) {
+    if (exact.error_of(tried) <= tolerance) {
       if (well++ == 0) fitting = tried.first_cell;
     } else {
       well = 0;

@@ -27,8 +27,7 @@ using SkinHistory = std::vector<SkinInterval>;
 double skin_error(const SkinSide& side, double start_temperature, const SkinHistory& history);
 
 /// The largest first cell, m, not above that of `side`, with which that error keeps within `tolerance`, as it does with
-/// all smaller ones; of heats below `least_heat`, J/m2, as a share of that.
-double fitting_first_cell(const SkinSide& side, double start_temperature, const SkinHistory& history, double tolerance,
-                          double least_heat = 0);
+/// all smaller ones.
+double fitting_first_cell(const SkinSide& side, double start_temperature, const SkinHistory& history, double tolerance);
 
 }  // namespace parison::thermal

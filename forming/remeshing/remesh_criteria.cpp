@@ -71,25 +71,21 @@ std::vector<double> viscosity_target_sizes(const Scene& scene, const State& stat
   return target_sizes;
 }
 
-/// The volume of the glass over its surface, m.
-double depth_of_glass(const Scene& scene, const core::Mesh& mesh) {
-  double surface = 0;
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    if (mesh.kind_of(edge) != BoundaryKind::symmetry)
-      surface += (mesh.nodes[edge.nodes[1]] - mesh.nodes[edge.nodes[0]]).norm() *
-                 core::depth(scene.geometry, mesh.nodes[edge.nodes[2]]);
-  return core::volume(mesh, scene.geometry) / surface;
+/// Lets a skin have such edges, m, and a mesh edges half as long.
+void allow_skin(double edge, remesh::Criteria& criteria) {
+  criteria.skin_size = std::min(criteria.skin_size, edge);
+  criteria.min_size = std::min(criteria.min_size, min_edge_fraction * edge);
 }
 
 /// Makes the edges of open surface no longer than short and strong cooling by air wants them.
 void refine_in_air(const Scene& scene, const State& state, remesh::Criteria& criteria) {
   const core::Mesh& mesh = state.glass.mesh;
-  const double wanted = scene.accuracy.surface_size, depth = depth_of_glass(scene, mesh);
+  const double wanted = scene.accuracy.surface_size;
   double edge = wanted;
   for (std::size_t b = 0; b < scene.glass.boundaries.size(); ++b)
-    edge = std::min(edge, flowing_edge_in_air(scene, b, wanted, state.stage, depth));
+    edge = std::min(edge, surroundings_edge(scene, glass_body, b, wanted, state.stage));
   if (edge >= wanted) return;
-  criteria.min_size = std::min(criteria.min_size, min_edge_fraction * edge);
+  allow_skin(edge, criteria);
   for (const core::BoundaryEdge& boundary : mesh.boundary_edges())
     if (mesh.kind_of(boundary) != BoundaryKind::symmetry)
       for (const Index node : boundary.nodes)
@@ -164,7 +160,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
       double edge = accuracy.skin_size;
       for (const Interface& interface : scene.interfaces)
         if (interface.tool == place.tool) edge = glass_edge_at_tool(scene, interface, edge, state.stage);
-      result.min_size = std::min(result.min_size, min_edge_fraction * edge);
+      allow_skin(edge, result);
       for (Index n = 0; n < mesh.node_count(); ++n)
         if (gaps[n] < contact_proximity) result.target_skin_size[n] = std::min(result.target_skin_size[n], edge);
     }

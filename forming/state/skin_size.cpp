@@ -104,25 +104,14 @@ double glass_edge_at_tool(const Scene& scene, const Interface& interface, double
                   edge_at_contact(scene, interface, glass_body, wanted, last_stage));
 }
 
-double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted) {
+double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted, Index last_stage) {
   const Body& data = body_of(scene, body);
   if (!data.thermal) return wanted;
   std::vector<double> durations;
-  for (const Stage& stage : scene.stages) durations.push_back(stage.duration);
+  for (Index s = 0; s <= last_stage; ++s) durations.push_back(scene.stages[s].duration);
   return std::max(std::min(wanted, least_edge(scene, data)),
                   thermal::fitting_first_cell(skin_side(scene, body, wanted), data.initial_temperature,
                                               surroundings_history(scene, body, boundary, durations), skin_tolerance));
-}
-
-double flowing_edge_in_air(const Scene& scene, std::size_t boundary, double wanted, Index last_stage, double depth) {
-  std::vector<double> durations;
-  for (Index s = 0; s <= last_stage; ++s) durations.push_back(scene.stages[s].duration);
-  const thermal::SkinSide side = skin_side(scene, glass_body, wanted);
-  const double content = side.capacity * depth * temperature_range(scene).span();
-  return std::max(std::min(wanted, least_edge(scene, scene.glass)),
-                  thermal::fitting_first_cell(side, scene.glass.initial_temperature,
-                                              surroundings_history(scene, glass_body, boundary, durations),
-                                              skin_tolerance, content));
 }
 
 double contact_edge(const Scene& scene, Index body, double wanted) {

@@ -13,8 +13,8 @@ thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell);
 double perfect_contact(const Scene& scene, const Interface& interface);
 
 /// Edge on a boundary that meets surroundings of another temperature, m, at most `wanted`, with which the heat through
-/// it in the whole run is free of the error of a skin thinner than its first cells.
-double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted);
+/// it up to the end of `last_stage` is free of the error of a skin thinner than its first cells.
+double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted, Index last_stage);
 
 /// Edge on the contact boundaries of a body, m, at most `wanted`, with which the heat that it exchanges in the whole
 /// run is free of the error of a skin thinner than its first cells.
@@ -23,9 +23,5 @@ double contact_edge(const Scene& scene, Index body, double wanted);
 /// The same of the glass where it touches one tool, for the heat exchanged up to the end of `last_stage`: what a later
 /// stage does has no influence on the mesh of an earlier one.
 double glass_edge_at_tool(const Scene& scene, const Interface& interface, double wanted, Index last_stage);
-
-/// Edge of glass that flows on a boundary in air, m, at most `wanted`, with which the heat through it up to the end of
-/// `last_stage` is free of that error to a share of what glass of such a depth, m, could give.
-double flowing_edge_in_air(const Scene& scene, std::size_t boundary, double wanted, Index last_stage, double depth);
 
 }  // namespace parison::forming
