@@ -88,6 +88,14 @@ bool is_own(const std::string& path) {
                      [&](const NotedContent& one) { return !one.grows && one.fits(content); });
 }
 
+bool is_damaged(const std::string& path) {
+  std::error_code error;
+  if (is_own(path) || !fs::is_regular_file(fs::symlink_status(path, error)) || error) return false;
+  const auto noted = contents_noted(folder_of(path), name_of(path));
+  const std::uint64_t size = fs::file_size(path, error);
+  return !error && std::any_of(noted.begin(), noted.end(), [&](const NotedContent& one) { return one.size == size; });
+}
+
 void require_own(const std::string& path) {
   if (path.empty()) return;
   if (const std::string foreign = foreign_in(path); !foreign.empty()) refuse(foreign);

@@ -12,6 +12,9 @@ namespace parison::core {
 /// that begin with `.parison_` are the program's.
 bool is_own(const std::string& path);
 
+/// Whether a file has the size of a content that the program gave it, and other bytes: what a disk has damaged.
+bool is_damaged(const std::string& path);
+
 /// Throws CaseError that names a file that is there and is not the program's own; of a folder, the first one in it.
 void require_own(const std::string& path);
 

@@ -214,8 +214,7 @@ void write_overrides(Hdf5Group& file, const std::vector<std::string>& overrides)
 }  // namespace
 
 void write_checkpoint(const std::string& directory, const Scene& scene, const Checkpoint& checkpoint) {
-  const std::string made = directory + "/checkpoint_new.h5";
-  core::write_hdf5(made, [&](core::Hdf5Group& file) {
+  core::write_hdf5(new_checkpoint(directory), [&](core::Hdf5Group& file) {
     file.write("version", format_version);
     file.write("layout", state_layout());
     file.write("case", scene.name);
@@ -233,7 +232,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
   });
-  put_in_place(directory, made);
+  put_in_place(directory);
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {

@@ -28,6 +28,7 @@ RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const
 
 RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
                             const StopRequest& stop, const remesh::Mesher& mesher, const RunFiles& files) {
+  require_own_checkpoints(directory);
   const std::string path = find_checkpoint(directory);
   Checkpoint from = read_checkpoint(path, scene);
   const bool case_changed = read_origin(path).fingerprint != scene.fingerprint;

@@ -28,6 +28,10 @@ std::string path_after(const std::string& directory, const std::string& stage) {
   return directory + '/' + kept_prefix + stage + ".h5";
 }
 
+bool is_of_stage_end(const std::filesystem::path& path) {
+  return path.extension() == ".h5" && path.stem().string().rfind(kept_prefix, 0) == 0;
+}
+
 bool is_there(const std::string& path) {
   std::error_code unreadable;
   return std::filesystem::exists(path, unreadable);
@@ -39,11 +43,15 @@ bool is_intact(const std::string& path) {
 
 }  // namespace
 
-void put_in_place(const std::string& directory, const std::string& made) {
+std::string new_checkpoint(const std::string& directory) {
+  return directory + "/checkpoint_new.h5";
+}
+
+void put_in_place(const std::string& directory) {
   const std::string last = last_path(directory);
   if (is_intact(last) && core::is_own(last))  // a damaged one, or the user's, never takes the place of a good one
     core::rename_own(last, path_before(directory));
-  core::rename_own(made, last);
+  core::rename_own(new_checkpoint(directory), last);
   core::sync_to_disk(directory);
 }
 
@@ -57,10 +65,19 @@ std::string find_stage_end(const std::string& directory, const std::string& stag
   std::string names;
   std::error_code unreadable;
   for (const auto& entry : std::filesystem::directory_iterator(directory, unreadable))
-    if (const std::string name = entry.path().stem().string(); name.rfind(kept_prefix, 0) == 0)
-      names += (names.empty() ? "" : ", ") + name.substr(std::string(kept_prefix).size());
+    if (is_of_stage_end(entry.path()))
+      names += (names.empty() ? "" : ", ") + entry.path().stem().string().substr(std::string(kept_prefix).size());
   throw core::CaseError(fmt::format("{}: no checkpoint of the end of a stage \"{}\" was found, allowed are {}",
                                     directory, stage, names.empty() ? "none: no stage has ended" : names));
+}
+
+void require_own_checkpoints(const std::string& directory) {
+  std::vector<std::string> paths{last_path(directory), path_before(directory), new_checkpoint(directory)};
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, unreadable))
+    if (is_of_stage_end(entry.path())) paths.push_back(entry.path().string());
+  for (const std::string& path : paths)
+    if (!core::is_damaged(path)) core::require_own(path);
 }
 
 void return_to_stage_end(const std::string& directory, const std::string& stage) {
@@ -68,7 +85,7 @@ void return_to_stage_end(const std::string& directory, const std::string& stage)
   const std::int64_t done = core::open_hdf5(kept).read_integer("stages_done");
   std::vector<std::filesystem::path> later;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
-    if (entry.path().stem().string().rfind(kept_prefix, 0) == 0 && is_intact(entry.path().string()) &&
+    if (is_of_stage_end(entry.path()) && is_intact(entry.path().string()) &&
         core::open_hdf5(entry.path().string()).read_integer("stages_done") > done)
       later.push_back(entry.path());
   if (is_there(last_path(directory)) && !is_intact(last_path(directory))) core::set_aside(last_path(directory));

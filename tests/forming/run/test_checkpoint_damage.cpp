@@ -6,9 +6,11 @@
 #include <random>
 
 #include "../scene_text.hpp"
+#include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
 #include "forming/run/checkpoint.hpp"
+#include "forming/run/folder_run.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
 
@@ -83,6 +85,30 @@ TEST(CheckpointDamage, a_damaged_checkpoint_never_takes_the_place_of_the_good_on
   EXPECT_EQ(time_of_last(folder, scene), 0.75);
   std::filesystem::remove(folder + "/checkpoint.h5");
   EXPECT_EQ(time_of_last(folder, scene), 0.25);
+}
+
+TEST(CheckpointDamage, a_file_of_the_user_under_the_name_of_a_checkpoint_is_refused_and_a_damaged_one_is_not) {
+  const Scene scene = scene_of(small_scene);
+  const std::string folder = tests::new_folder();
+  for (const double time : {0.25, 0.5}) write_at(folder, scene, time);
+  for (const char* name : {"/checkpoint.h5", "/checkpoint_before.h5", "/checkpoint_after_press.h5"}) {
+    const std::string path = folder + name;
+    core::write_text(path, "of the user");
+    try {
+      require_own_checkpoints(folder);
+      ADD_FAILURE() << name;
+    } catch (const core::CaseError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(path + ": this was not written by parison", 0), 0u) << error.what();
+    }
+    EXPECT_THROW(resume_in_folder(scene, folder), core::CaseError);
+    EXPECT_EQ(core::read_text(path), "of the user");
+    std::filesystem::remove(path);
+  }
+  write_at(folder, scene, 0.25);
+  std::string bytes = core::read_text(folder + "/checkpoint.h5");
+  flip(bytes, 0);
+  core::write_text(folder + "/checkpoint.h5", bytes);
+  EXPECT_NO_THROW(require_own_checkpoints(folder));
 }
 
 TEST(CheckpointDamage, an_assignment_with_a_line_break_comes_back_whole) {

@@ -173,12 +173,12 @@ int resume(const RunRequest& request) {
   origin.overrides.insert(origin.overrides.end(), request.overrides.begin(), request.overrides.end());
   const Scene scene = forming::read_scene(case_path, origin.accuracy, origin.overrides);
   forming::require_unchanged_copy(output, scene);
+  forming::require_own_checkpoints(output);
   forming::read_checkpoint(checkpoint, scene);  // refuses a changed case before anything is given up
   if (!request.after.empty()) forming::return_to_stage_end(output, request.after);
   if (const std::string damage = forming::damage_of_last_checkpoint(output); !damage.empty())
-    fmt::print(
-        "{}; the run is taken up from the checkpoint before it, and what a user has put there is kept as .damaged\n",
-        damage);
+    fmt::print("{}; the run is taken up from the checkpoint before it, and the damaged one is kept as .damaged\n",
+               damage);
   fmt::print("{} at {} accuracy, from {} in {}\n", scene.name, scene.accuracy_name,
              request.after.empty() ? "the last checkpoint" : "the end of stage " + request.after, output);
   std::fflush(stdout);
