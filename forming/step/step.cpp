@@ -92,9 +92,10 @@ bool find_velocities(const StepStart& start, MidpointPredictor& predictor, Works
 bool has_no_inverted_cells(const Scene& scene, StepResult& result) {
   const core::Mesh& mesh = result.state.glass.mesh;
   if (remesh::min_quality(mesh) > 0) return true;
-  const Point at = mesh.nodes[mesh.cells()[remesh::quality(mesh).min_quality_cell][0]];
+  const Index cell = remesh::quality(mesh).min_quality_cell;
+  const Point at = mesh.nodes[mesh.cells()[cell][0]];
   result.reason = fmt::format("a cell of the glass mesh is inverted at ({:.2f}, {:.2f}) mm{}", 1e3 * at[0], 1e3 * at[1],
-                              end_of_contact(scene, result.state, at));
+                              end_of_contact(scene, result.state, cell));
   return false;
 }
 

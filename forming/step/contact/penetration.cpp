@@ -171,21 +171,25 @@ std::optional<ToolFace> entered_face(const Scene& scene, const State& state) {
   return {};
 }
 
-std::string end_of_contact(const Scene& scene, const State& state, const Point& x) {
+std::string end_of_contact(const Scene& scene, const State& state, Index cell) {
   const double near = core::tolerance::junction * core::size(scene.glass.profile);
+  const core::Mesh& glass = state.glass.mesh;
   for (const Index tool : active_tools(scene, state)) {
     const Tool& body = scene.tools[tool];
-    const Point local = x - state.tools[tool].offset * core::axis_direction();
-    const Boundary *touching = nullptr, *free = nullptr;
-    for (const core::Segment& segment : body.profile.segments) {
-      if (std::min((segment.start - local).norm(), (segment.end - local).norm()) > near) continue;
-      const Boundary& boundary = body.boundaries[segment.boundary_id];
-      if (boundary.kind != BoundaryKind::symmetry)
-        (boundary.kind == BoundaryKind::contact ? touching : free) = &boundary;
+    const Point offset = state.tools[tool].offset * core::axis_direction();
+    for (const Index node : glass.cells()[cell]) {
+      const Boundary *touching = nullptr, *free = nullptr;
+      for (const core::Segment& segment : body.profile.segments) {
+        const Point local = glass.nodes[node] - offset;
+        if (std::min((segment.start - local).norm(), (segment.end - local).norm()) > near) continue;
+        const Boundary& boundary = body.boundaries[segment.boundary_id];
+        if (boundary.kind != BoundaryKind::symmetry)
+          (boundary.kind == BoundaryKind::contact ? touching : free) = &boundary;
+      }
+      if (touching && free)
+        return fmt::format(", where contact boundary {} of {} ends at its boundary {}, which has no contact",
+                           touching->name, body.name, free->name);
     }
-    if (touching && free)
-      return fmt::format(", where contact boundary {} of {} ends at its boundary {}, which has no contact",
-                         touching->name, body.name, free->name);
   }
   return "";
 }

@@ -48,9 +48,9 @@ struct ToolFace {
 /// glass, than steps leave it behind a contact face.
 std::optional<ToolFace> entered_face(const Scene& scene, const State& state);
 
-/// ", where contact boundary under of ring ends at its boundary hole, which has no contact" of a place at such an end
-/// in an active tool; else empty.
-std::string end_of_contact(const Scene& scene, const State& state, const Point& x);
+/// ", where contact boundary under of ring ends at its boundary hole, which has no contact" of a cell of the glass
+/// with a node at such an end in an active tool; else empty.
+std::string end_of_contact(const Scene& scene, const State& state, Index cell);
 
 /// Raises the depths of nodes and edges in the totals of a state, in m and in mean walls of the glass as it is then,
 /// and stores where and when the deepest were and the first face without contact through which glass has come.

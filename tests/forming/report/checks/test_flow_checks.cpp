@@ -199,11 +199,19 @@ TEST(Penetration, glass_behind_a_face_without_contact_is_as_deep_as_it_is_behind
 
 TEST(Penetration, a_place_where_a_contact_boundary_ends_at_one_without_contact_is_told) {
   const Scene scene = scene_of(puddle_on_ledge);
-  const State state = initial_state(scene);
-  EXPECT_EQ(end_of_contact(scene, state, {10e-3, 0}),
-            ", where contact boundary face of plate ends at its boundary ledge, which has no contact");
-  EXPECT_EQ(end_of_contact(scene, state, {9e-3, 0}), "");
-  EXPECT_EQ(end_of_contact(scene, state, {0, 0}), "") << "the axis is no such boundary";
+  const auto told_of_node_at = [&](std::size_t corner, double radius) {
+    State state = initial_state(scene);
+    core::Mesh& mesh = state.glass.mesh;
+    for (const Index node : mesh.cells()[0]) mesh.nodes[node] = {5e-3, 3e-3};
+    mesh.nodes[mesh.cells()[0][corner]] = {radius, 0};
+    return end_of_contact(scene, state, 0);
+  };
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    EXPECT_EQ(told_of_node_at(corner, 10e-3),
+              ", where contact boundary face of plate ends at its boundary ledge, which has no contact");
+    EXPECT_EQ(told_of_node_at(corner, 9e-3), "");
+    EXPECT_EQ(told_of_node_at(corner, 0), "") << "the axis is no such boundary";
+  }
 }
 
 TEST(Checks, a_run_that_stops_after_glass_has_entered_a_tool_says_that_first) {
