@@ -2,11 +2,11 @@
 """Marked blocks of the READMEs: `<!-- begin: NAME ARGUMENTS -->` to `<!-- end: NAME -->`, whose text a function makes."""
 import re
 
-from documents import measured, studies, tables
+from documents import assumed, measured, studies, tables
 from documents.store import ROOT, Missing, files
 
 BLOCK = re.compile(r"(^<!-- begin: (\w+)((?: [\w.]+)*) -->\n).*?^(<!-- end: \2 -->)", re.DOTALL | re.MULTILINE)
-BLOCKS = {**tables.BLOCKS, **studies.BLOCKS, **measured.BLOCKS}
+BLOCKS = {**tables.BLOCKS, **studies.BLOCKS, **measured.BLOCKS, **assumed.BLOCKS}
 MARK = re.compile(r"^<!-- (?:begin|end): ", re.MULTILINE)
 
 
