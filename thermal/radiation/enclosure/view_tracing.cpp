@@ -14,8 +14,7 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double moved_far = 0.5;   ///< of the length of a patch, before views are traced anew
-constexpr double opened_far = 0.5;  ///< the same of the area of a patch that a tool covers or uncovers
+constexpr double moved_far = 1;     ///< of the length of a patch, before views are traced anew
 constexpr double most_lost = 0.01;  ///< share of what all open surfaces send, before they are refused
 
 std::vector<Point> placed_nodes(const BodyView& body) {
@@ -240,8 +239,7 @@ bool is_near(const TracedViews& traced, const HeatSystem& system, const EdgeArea
   now.edges = traced.edges;
   now.views.open = traced.views.open;
   set_areas(now, open, full);
-  return now.unseen <= traced.unseen + opened_far * traced.patch_area &&
-         !((now.area - traced.area).abs() > opened_far * now.full).any();
+  return now.unseen <= traced.unseen + traced.patch_area;
 }
 
 }  // namespace

@@ -116,13 +116,10 @@ RayExchange make_ray_exchange(const Light& light, const HeatSystem& system, Kept
 
 namespace {
 
-/// Adds light that comes in from outside, W by patch, with what the tools then send back.
-void add_outside(const RayExchange& rays, int k, const Eigen::VectorXd& light, Eigen::Ref<Eigen::VectorXd> outside) {
+/// Light that comes in from outside, W by patch, with what the tools then send back, W/m2.
+Eigen::VectorXd from_outside(const RayExchange& rays, int k, const Eigen::VectorXd& light) {
   const Eigen::VectorXd added = light.cwiseQuotient(rays.area.matrix());
-  if (rays.bands[k].from_outside)
-    outside += rays.bands[k].from_outside->solve(added);
-  else
-    outside += added;
+  return rays.bands[k].from_outside ? rays.bands[k].from_outside->solve(added).eval() : added;
 }
 
 }  // namespace
@@ -152,8 +149,7 @@ GroupLight ray_light(const Light& light, int k, const GroupSource& source) {
   GroupLight result{Field(light.volumes.size()), {}, Eigen::ArrayXd(source.contacts.size())};
   if (light.enclosure) {
     result.excess = ray_excess(*light.enclosure, k, rays.area, taken.tail(patches), source.patches);
-    add_outside(rays, k, light.enclosure->shared * result.excess, outside);
-    taken = factors * sent;
+    taken += factors.rightCols(patches) * from_outside(rays, k, light.enclosure->shared * result.excess);
   }
   for (std::size_t b = 0; b < result.absorbed.size(); ++b)
     for (int q = 0; q < core::cell_points; ++q) {

@@ -16,9 +16,9 @@ Field product(Field a, const Field& b) {
 
 namespace {
 
-constexpr int cells_of_zone = 3;   ///< of the mesh, at the least
-constexpr double moved_far = 0.5;  ///< distance, of a box, that the glass moves before rays are traced anew
-constexpr double changed = 0.02;   ///< share by which the absorption of a zone changes before that
+constexpr int cells_of_zone = 3;  ///< of the mesh, at the least
+constexpr double moved_far = 1;   ///< distance, of a box, that the glass moves before rays are traced anew
+constexpr double changed = 0.02;  ///< share by which the absorption of a zone changes before that
 
 /// By boundary of the glass: a mirror where it is neither open nor black nor touched.
 std::vector<SurfaceKind> surface_kinds(const Light& light, const HeatSystem& system) {
