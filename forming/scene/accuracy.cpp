@@ -94,7 +94,7 @@ const std::vector<Setting>& settings() {
        {40, 20, 10},
        1e-3,
        2000},
-      {"light_rays", &A::light_rays, dimension::none, "", 1, -1, {4000, 6000, 9000}, 100, 1e7},
+      {"light_rays", &A::light_rays, dimension::none, "", 1, -1, {2000, 3000, 4500}, 100, 1e7},
       {"max_step", &A::max_step, dimension::time, "s", 1, 1, {0.2, 0.1, 0.05}, 1e-9, 1e6},
       {"initial_step", &A::initial_step, dimension::time, "s", 1, 0, {1e-3, 1e-3, 1e-3}, 1e-9, 1e6},
       {"min_step", &A::min_step, dimension::time, "s", 1, 0, {1e-6, 1e-6, 1e-6}, 1e-12, 1e6},

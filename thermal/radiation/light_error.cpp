@@ -12,8 +12,8 @@ LightError light_error(Problem problem, double time, const std::vector<Eigen::Ve
     problem.light_resolution.part = {parts, part};
     const HeatSystem system = make_heat_system(problem);
     const Flows found = evaluate_flows(system, time, join(system, temperature));
-    Eigen::ArrayXd flows(found.exchanged.size() + found.across.size());
-    flows << found.exchanged.array(), found.across.array();
+    Eigen::ArrayXd flows(found.to_air.size() + found.across.size());
+    flows << found.to_air.array(), found.across.array();
     if (part == 0) mean = squares = Eigen::ArrayXd::Zero(flows.size());
     mean += flows / parts;
     squares += flows.square() / parts;

@@ -8,7 +8,7 @@ namespace parison::thermal {
 
 /// How wrong the heat that light carries is.
 struct LightError {
-  double power = 0;     ///< of the flows to air, partners and other surfaces, their magnitudes in sum, W
+  double power = 0;     ///< of the flows to air, other surfaces and partners, their magnitudes in sum, W
   double all_heat = 0;  ///< magnitudes of all heat flows of the bodies, by light or otherwise, in sum, W
 };
 

@@ -4,8 +4,11 @@
 // radiative transfer equation.
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "thermal/bodies.hpp"
+#include "thermal/radiation/light_error.hpp"
 #include "thermal/system.hpp"
 
 namespace parison::thermal::test {
@@ -35,22 +38,53 @@ inline double surface_of(Shape shape, int cells) {
                                     : M_PI * size * size / 2;
 }
 
-/// Light out of an isothermal body in cold surroundings over that of a black surface; its optical size is that of its
-/// thickness or diameter.
+/// A body of one temperature in cold surroundings, which some of its sides see; not to be copied.
+struct IsothermalBody {
+  Material material;
+  core::Mesh mesh;
+  double surface;  ///< m2
+  Problem problem;
+
+  IsothermalBody(core::Mesh its_mesh, Geometry geometry, const Radiation& radiation, const std::vector<Index>& open,
+                 double its_surface)
+      : material{2400, core::constant(1300), core::constant(1.3), radiation},
+        mesh(std::move(its_mesh)),
+        surface(its_surface),
+        problem{geometry, {body(mesh, material)}, {}, {}} {
+    problem.bodies[0].light.surroundings.resize(4);
+    for (const Index side : open) problem.bodies[0].light.surroundings[side] = core::TimeFunction(0);
+  }
+  IsothermalBody(const IsothermalBody&) = delete;
+  IsothermalBody& operator=(const IsothermalBody&) = delete;
+
+  /// Light out of it over that of a black surface.
+  double emissivity() const {
+    const HeatSystem system = make_heat_system(problem);
+    return evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), hot)).to_air[0] / black();
+  }
+  /// How wrong that is by parts of the rays.
+  double uncertainty() const {
+    return light_error(problem, 0, {Eigen::VectorXd::Constant(mesh.node_count(), hot)}).power / black();
+  }
+
+ private:
+  double black() const { return surface * stefan_boltzmann * std::pow(hot, 4); }
+};
+
+/// A body whose optical size is that of its thickness or diameter.
+inline IsothermalBody isothermal(Shape shape, Model model, double optical, double index, int cells) {
+  const std::vector<Index> open = shape == Shape::slab     ? std::vector<Index>{right, left}
+                                  : shape == Shape::sphere ? std::vector<Index>{right, top}
+                                                           : std::vector<Index>{right};
+  return {mesh_of(shape, cells),
+          shape == Shape::slab ? Geometry::planar : Geometry::axisymmetric,
+          {index, 0, false, model, {{std::numeric_limits<double>::infinity(), optical / size}}},
+          open,
+          surface_of(shape, cells)};
+}
+
 inline double emissivity(Shape shape, Model model, double optical, double index, int cells) {
-  const Material material{
-      2400, core::constant(1300), core::constant(1.3),
-      Radiation{index, 0, false, model, {{std::numeric_limits<double>::infinity(), optical / size}}}};
-  const core::Mesh mesh = mesh_of(shape, cells);
-  Problem problem{shape == Shape::slab ? Geometry::planar : Geometry::axisymmetric, {body(mesh, material)}, {}, {}};
-  auto& surroundings = problem.bodies[0].light.surroundings;
-  surroundings.resize(4);
-  surroundings[right] = core::TimeFunction(0);
-  if (shape == Shape::slab) surroundings[left] = core::TimeFunction(0);
-  if (shape == Shape::sphere) surroundings[top] = core::TimeFunction(0);
-  const HeatSystem system = make_heat_system(problem);
-  const Flows flows = evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), hot));
-  return flows.to_air[0] / (surface_of(shape, cells) * stefan_boltzmann * std::pow(hot, 4));
+  return isothermal(shape, model, optical, index, cells).emissivity();
 }
 
 /// int_0^1 f, f smooth over s^2 from `start` on and zero below.

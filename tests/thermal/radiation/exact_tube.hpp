@@ -4,30 +4,25 @@
 // rays.
 #include <limits>
 
-#include "thermal/bodies.hpp"
-#include "thermal/system.hpp"
+#include "thermal/radiation/exact_emission.hpp"
 
 namespace parison::thermal::test {
 
-using Model = Radiation::Model;
+inline constexpr double wall = 0.003, index_of_glass = 1.518;  ///< m
 
-inline constexpr double wall = 0.003, tube_temperature = 1300, index_of_glass = 1.518;  ///< m, K
-
-/// Light out of both faces of an isothermal tube in cold surroundings, which its inner face sees too, over that of
-/// black ones.
-inline double tube_emissivity(Model model, double inner_radius, double absorption) {
-  const Material material{
-      2400, core::constant(1300), core::constant(1.3),
-      Radiation{index_of_glass, 0, false, model, {{std::numeric_limits<double>::infinity(), absorption}}}};
+/// A tube in cold surroundings, which its inner face sees too.
+inline IsothermalBody isothermal_tube(Model model, double inner_radius, double absorption) {
   const double outer_radius = inner_radius + wall, height = wall / 40;
-  const core::Mesh mesh = rectangle(divide(inner_radius, outer_radius, 40), {0, height});
-  Problem problem{core::Geometry::axisymmetric, {body(mesh, material)}, {}, {}};
-  problem.bodies[0].light.surroundings.resize(4);
-  problem.bodies[0].light.surroundings[right] = problem.bodies[0].light.surroundings[left] = core::TimeFunction(0);
-  const HeatSystem system = make_heat_system(problem);
-  const Flows flows = evaluate_flows(system, 0, Eigen::VectorXd::Constant(system.size(), tube_temperature));
-  return flows.to_air[0] /
-         (2 * M_PI * (inner_radius + outer_radius) * height * stefan_boltzmann * std::pow(tube_temperature, 4));
+  return {rectangle(divide(inner_radius, outer_radius, 40), {0, height}),
+          Geometry::axisymmetric,
+          {index_of_glass, 0, false, model, {{std::numeric_limits<double>::infinity(), absorption}}},
+          {right, left},
+          2 * M_PI * (inner_radius + outer_radius) * height};
+}
+
+/// Light out of both of its faces over that of black ones.
+inline double tube_emissivity(Model model, double inner_radius, double absorption) {
+  return isothermal_tube(model, inner_radius, absorption).emissivity();
 }
 
 /// The share of a black body's intensity that leaves at the end of a path between two reflections: `here` and `there`
@@ -52,7 +47,7 @@ inline double leaving_at(double radius, double b, double p, double inner, double
 /// n^2 times the mean of that over the surfaces and the directions.
 inline double exact_tube(double inner, double absorption) {
   const double outer = inner + wall;
-  constexpr int parts = 400;
+  constexpr int parts = 800;
   double sum = 0;
   for (const double radius : {inner, outer})
     for (int i = 0; i < parts; ++i)

@@ -11,7 +11,7 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double trapped = 0.1;    ///< the same where all was reflected so far
+constexpr double trapped = 0.1;    ///< share of the light left where a ray ends that was reflected wholly so far
 constexpr int most_chords = 5000;  ///< of a ray; between two mirrors they are many
 constexpr double finest = 0.5;     ///< length of a segment of a ray, of a zone's box
 constexpr double grazing = 1e-4;   ///< smallest cosine to the facet with which a ray goes on
@@ -140,7 +140,7 @@ class Tracer {
     const double entering = 1 - reflectivity(at, mu);
     for (BandOnRay& band : bands_) {
       band.left = 1;
-      band.least = trapped;
+      band.least = entering > 0 ? end_ : trapped;
       if (at.patch >= 0 && entering > 0) band.source.add(first_patch_ + at.patch, entering);
     }
   }
@@ -200,9 +200,9 @@ class Tracer {
     }
   }
 
-  /// What is left goes where the rest went; after a partial reflection it is absorbed where it came from.
+  /// What is left goes where the rest went.
   static void finish(BandOnRay& band, ExchangeFactors& factors, double weight) {
-    const double rest = band.least == trapped ? std::max(1e-6, 1 - band.left) : 1;
+    const double rest = std::max(1e-6, 1 - band.left);
     for (const Index to : band.sink.index) {
       const double taken = weight * band.sink.value[to] / rest;
       for (const Index from : band.source.index) factors(from, to) += taken * band.source.value[from];

@@ -16,16 +16,16 @@ struct RayPart {
 
 /// How finely light is resolved: by the number of rays that find the exchange in the glass.
 struct LightResolution {
-  double rays = 4000;
+  double rays = 2000;
   RayPart part = {};  ///< which of them, and of those between surfaces, are sent
 
   int zones() const { return scaled(80, 1); }       ///< boxes that have the area of the glass's section
-  double end() const { return 0.005 / power(2); }   ///< share of its light that is left where a ray ends
+  double end() const { return 0.02 / power(2); }    ///< share of its light that is left where a ray ends
   int patches() const { return scaled(64, 1); }     ///< as many have the length of the open surface in an enclosure
   int view_rays() const { return scaled(256, 2); }  ///< from each of them
 
  private:
-  double power(int exponent) const { return std::pow(rays / 4000, exponent); }
+  double power(int exponent) const { return std::pow(rays / 2000, exponent); }
   int scaled(double usual, int exponent) const {
     return std::max(1, static_cast<int>(std::lround(usual * power(exponent))));
   }
