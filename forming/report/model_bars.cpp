@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/io/json_read.hpp"
 #include "forming/report/error_bars.hpp"
+#include "forming/scene/law_names.hpp"
 #include "forming/scene/radiation_choice.hpp"
 #include "forming/scene/scene.hpp"
 
@@ -44,6 +46,20 @@ std::string amount(double size) {
   return size < 100 ? fmt::format("{:.2g}", size) : fmt::format("{:.0f}", size);
 }
 
+/// The law of most contacts, the simplest of those where as many have others.
+const char* law_of_contacts(const std::vector<Interface>& interfaces) {
+  std::array<std::ptrdiff_t, law_names.size()> count{};
+  for (const Interface& interface : interfaces) ++count[interface.law.index()];
+  return law_names[static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin())];
+}
+
+/// Where the glass is pressed: without flow there is no pressure for a law to follow. A table is the user's own.
+void add_contact(const Scene& scene, std::vector<ModelUse>& models) {
+  if (!scene.has_flow() || scene.interfaces.empty()) return;
+  const std::string used = law_of_contacts(scene.interfaces);
+  models.push_back({"contact", used, used == "table" ? used : "pressure-viscosity"});
+}
+
 std::vector<ModelDifference> differences_of(const std::vector<ModelUse>& models) {
   std::vector<ModelDifference> differences;
   for (const ModelUse& model : models)
@@ -71,9 +87,18 @@ void add_model_bars(const std::vector<ModelDifference>& differences, Quantities&
 }
 
 void add_models(const Scene& scene, Quantities& quantities) {
-  if (scene.has_heat())
-    quantities.models.push_back({"radiation", model_name(scene.glass.thermal->radiation), "transfer"});
+  quantities.models = models_of(scene);
   add_model_bars(differences_of(quantities.models), quantities);
+}
+
+std::vector<ModelUse> models_of(const Scene& scene) {
+  std::vector<ModelUse> models;
+  if (!scene.has_heat()) return models;
+  models.push_back({"radiation", model_name(scene.glass.thermal->radiation), "transfer"});
+  add_contact(scene, models);
+  if (scene.geometry == core::Geometry::axisymmetric && (scene.has_light() || scene.glass.emissivity > 0))
+    models.push_back({"enclosure", scene.enclosure ? "true" : "false", "true"});
+  return models;
 }
 
 std::string model_text(double model) {

@@ -18,6 +18,10 @@ struct ModelDifference {
 /// std::runtime_error where the text is no JSON.
 ModelDifference model_difference(const std::string& calibration, const std::string& part, const std::string& model);
 
+/// Of each part of the physics of a scene with a choice of models the one in use and the best one, by their names in a
+/// case.
+std::vector<ModelUse> models_of(const Scene& scene);
+
 /// Gives quantities the models of a scene and Quantity::model.
 void add_models(const Scene& scene, Quantities& quantities);
 

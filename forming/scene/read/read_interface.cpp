@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "forming/scene/law_names.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -115,7 +116,7 @@ CaseTable interface_table(const CaseNode& node) {
 
 contact::ConductanceLaw read_law(const CaseNode& node, bool with_flow) {
   const auto table = interface_table(node);
-  const int law = core::choice(table.get("law"), {"constant", "pressure-viscosity", "table", "gap"});
+  const int law = core::choice(table.get("law"), {law_names.begin(), law_names.end()});
   if (law == 3) return read_gap(node);
   if (law > 0 && !with_flow)
     core::refuse(table.get("law"),

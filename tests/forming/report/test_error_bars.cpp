@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../scene_text.hpp"
 #include "core/io/json_read.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/model_bars.hpp"
@@ -147,6 +148,34 @@ TEST(Models, rosseland_has_a_figure_of_every_kind_and_transfer_is_the_best) {
   EXPECT_EQ(models_move_text({{"radiation", "none", "transfer"}}), "not measured");
   EXPECT_EQ(models_move_text({{"radiation", "transfer", "transfer"}}), "");
   EXPECT_EQ(models_text({{"radiation", "rosseland", "transfer"}}), "radiation rosseland (best: transfer)");
+}
+
+std::string models_of_scene(const std::string& from, const std::string& to) {
+  return models_text(models_of(scene_of(replaced(from, to))));
+}
+
+TEST(Models, a_scene_has_those_of_its_parts_and_contact_is_by_the_law_of_most_tools) {
+  EXPECT_EQ(models_of_scene("", ""), "radiation none (best: transfer), contact constant (best: pressure-viscosity)");
+  EXPECT_EQ(models_of_scene("law = \"constant\"\nh = \"2000 W/m2/K\"", "law = \"gap\""),
+            "radiation none (best: transfer), contact gap (best: pressure-viscosity)");
+  const std::string followed =
+      "law = \"pressure-viscosity\"\nh0 = \"500 W/m2/K\"\nh1 = \"20000 W/m2/K\"\np_ref = \"0.2 MPa\"\n"
+      "eta_ref = \"1e3 Pa.s\"\na = 1\nb = 0.25";
+  EXPECT_EQ(models_of_scene("law = \"constant\"\nh = \"2000 W/m2/K\"", followed),
+            "radiation none (best: transfer), contact pressure-viscosity");
+  EXPECT_EQ(
+      models_of_scene("[material.soft]\n",
+                      "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n"
+                      "[material.soft]\nemissivity = 0.9\n"),
+      "radiation none (best: transfer), contact constant (best: pressure-viscosity), enclosure false (best: true)");
+}
+
+TEST(Models, each_poorer_model_of_contact_and_enclosure_has_a_figure_of_every_kind) {
+  for (const ModelUse& poorer :
+       {ModelUse{"contact", "constant", "pressure-viscosity"}, ModelUse{"contact", "gap", "pressure-viscosity"},
+        ModelUse{"enclosure", "false", "true"}})
+    for (const char* kind : {"wall", "thinnest place", "heat into tools", "skins"})
+      EXPECT_NE(models_move_text({poorer}).find(kind), std::string::npos) << poorer.part << ' ' << poorer.used;
 }
 
 TEST(Models, the_table_of_error_bars_has_a_column_of_them_and_names_the_model) {
