@@ -33,6 +33,12 @@ double highest_place(const core::Profile& surface, int up) {
   return up * highest;
 }
 
+OuterSize size_of(const core::Profile& surface) {
+  double radius = 0;
+  for (const core::Segment& segment : surface.segments) radius = std::max(radius, segment.start[0]);
+  return {highest_place(surface, 1) - highest_place(surface, -1), 2 * radius};
+}
+
 void add_optional(core::JsonWriter& json, const char* key, const std::optional<double>& value, double unit) {
   if (value) json.add(key, *value / unit);
 }
@@ -45,6 +51,11 @@ void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, 
   if (capacity && filled) json.add("ullage_ml", (*capacity - *filled) / millilitre);
 }
 
+void add_size(core::JsonWriter& json, const OuterSize& size) {
+  json.add("height_mm", size.height / millimetre);
+  json.add("diameter_mm", size.diameter / millimetre);
+}
+
 std::string millilitres(double volume) {
   return figures(volume / millilitre, 2);
 }
@@ -52,13 +63,8 @@ std::string millilitres(double volume) {
 /// The mesh of the glass as it would be cold, against that of the run's end; it stands as `up` says.
 ColdContainer cold_container(const Scene& scene, const core::Mesh& hot, const core::Mesh& cold, int up) {
   const core::Profile surface = surface_of(cold);
-  double radius = 0;
-  for (const core::Segment& segment : surface.segments) radius = std::max(radius, segment.start[0]);
-  ColdContainer container{highest_place(surface, 1) - highest_place(surface, -1),
-                          2 * radius,
-                          std::cbrt(core::volume(hot, scene.geometry) / core::volume(cold, scene.geometry)) - 1,
-                          {},
-                          {}};
+  ColdContainer container{
+      size_of(surface), std::cbrt(core::volume(hot, scene.geometry) / core::volume(cold, scene.geometry)) - 1, {}, {}};
   const auto glass = slices_of({&surface, {true}, 0});
   const auto hollow = glass ? hollow_of(*glass, up) : std::nullopt;
   if (!hollow) return container;
@@ -77,8 +83,7 @@ void add_cold(core::JsonWriter& json, const ContainerReport& report) {
   if (!report.cold) return;
   json.open_object("cold");
   add_volumes(json, report.cold->capacity, report.cold->filled);
-  json.add("height_mm", report.cold->height / millimetre);
-  json.add("diameter_mm", report.cold->diameter / millimetre);
+  add_size(json, report.cold->size);
   json.add("contraction", report.cold->contraction);
   json.close();
 }
@@ -86,8 +91,11 @@ void add_cold(core::JsonWriter& json, const ContainerReport& report) {
 /// What the table of results says about the cold container; empty without one that holds something.
 std::string cold_text(const ContainerReport& report) {
   if (!report.cold || !report.cold->capacity) return "";
-  return fmt::format("; at 20 degC {} ml, {:.5g} mm high, contraction {:.2f} %", millilitres(*report.cold->capacity),
-                     report.cold->height / millimetre, 100 * report.cold->contraction);
+  const OuterSize &hot = report.size, &cold = report.cold->size;
+  return fmt::format(
+      "; {:.5g} mm high and {:.4g} mm wide, at 20 degC {:.5g} and {:.4g} mm, {} ml, contraction {:.2f} %",
+      hot.height / millimetre, hot.diameter / millimetre, cold.height / millimetre, cold.diameter / millimetre,
+      millilitres(*report.cold->capacity), 100 * report.cold->contraction);
 }
 
 }  // namespace
@@ -104,6 +112,7 @@ std::optional<ContainerReport> container_report(const Scene& scene, const State&
   }
   const int up = gravity > 0 ? -1 : 1;
   const core::Profile surface = surface_of(state.glass.mesh);
+  report.size = size_of(surface);
   const auto glass = slices_of({&surface, {true}, 0});
   const auto hollow = glass ? hollow_of(*glass, up) : std::nullopt;
   if (hollow) {
@@ -128,6 +137,7 @@ void add_container(core::JsonWriter& json, const Scene& scene, const State& stat
   json.open_object("container");
   json.add("weight_g", 1e3 * report->weight);
   json.add("rim_mm", report->rim / millimetre);
+  if (report->size.height > 0) add_size(json, report->size);
   add_volumes(json, report->capacity, report->filled);
   if (!report->absent.empty()) json.add("capacity_absent", report->absent);
   add_optional(json, "plunger_stop_mm", report->plunger_stop, millimetre);

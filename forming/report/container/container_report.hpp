@@ -10,9 +10,14 @@
 
 namespace parison::forming {
 
+/// Height of a container and its largest outer diameter, m.
+struct OuterSize {
+  double height = 0, diameter = 0;
+};
+
 /// The container at 20 degC, where the density of the glass depends on temperature.
 struct ColdContainer {
-  double height, diameter;         ///< m
+  OuterSize size;
   double contraction;              ///< of the glass in length since the end of the run, mean: what a mould is larger by
   std::optional<double> capacity;  ///< to the rim, m3
   std::optional<double> filled;    ///< to the fill level of the case, m3
@@ -23,6 +28,7 @@ struct ContainerReport {
   double weight = 0;  ///< kg
   double rim =
       std::numeric_limits<double>::quiet_NaN();  ///< where it runs over, or its highest place, m along the axis
+  OuterSize size;                                ///< at the end of the run
   std::optional<double> capacity;                ///< to the rim, m3; none where the glass holds nothing
   std::string absent;                            ///< why there is no capacity, a sentence; empty with one
   std::optional<double> filled;                  ///< to the fill level of the case, m3

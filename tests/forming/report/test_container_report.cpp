@@ -67,11 +67,14 @@ TEST(ContainerReport, a_container_of_one_temperature_shrinks_alike_to_20_degC) {
   ASSERT_TRUE(report && report->capacity && report->cold && report->cold->capacity && report->cold->filled);
   const double length = std::exp(9e-6 * 530 + 32e-6 * 150);
   EXPECT_NEAR(report->cold->contraction, length - 1, 1e-7);
-  EXPECT_NEAR(1e3 * report->cold->height * length, 20, 1e-5);
-  EXPECT_NEAR(1e3 * report->cold->diameter * length, 8, 1e-5);
+  EXPECT_NEAR(1e3 * report->size.height, 20, 1e-9);
+  EXPECT_NEAR(1e3 * report->size.diameter, 8, 1e-9);
+  EXPECT_NEAR(1e3 * report->cold->size.height * length, 20, 1e-5);
+  EXPECT_NEAR(1e3 * report->cold->size.diameter * length, 8, 1e-5);
   EXPECT_NEAR(*report->cold->capacity * std::pow(length, 3) / *report->capacity, 1, 1e-6);
   EXPECT_LT(*report->cold->filled, *report->cold->capacity);
-  EXPECT_NE(capacity_text(scene, state, true).find("; at 20 degC 0.5220 ml, 19.81 mm high, contraction 0.96 %"),
+  EXPECT_NE(capacity_text(scene, state, true)
+                .find("; 20 mm high and 8 mm wide, at 20 degC 19.81 and 7.924 mm, 0.5220 ml, contraction 0.96 %"),
             std::string::npos)
       << capacity_text(scene, state, true);
   EXPECT_FALSE(container_report(cup_in_an_open_mould("-9.81 m/s2"), state, true)->cold);
