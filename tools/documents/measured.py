@@ -34,6 +34,14 @@ def figures(name):
     return stored.read(FOLDER / name / "figures.json", f"tests/measured_cases --only {name} --store")
 
 
+def laws():
+    return stored.read(FOLDER / "contact_law" / "figures.json", "tests/measured_laws --store")
+
+
+def store_laws(found):
+    (FOLDER / "contact_law" / "figures.json").write_text(json.dumps(stored.rounded(found), indent=1) + "\n")
+
+
 def verdict(row, value):
     if not row["low"]:
         return ""
@@ -61,6 +69,41 @@ def measured(name):
 def measured_cases(*names):
     """Of all cases the values that have a range."""
     return table(["case", *HEADER], [[f"[{name}]({name}/README.md)", *row] for name in names for row in rows(name) if row[3]])
+
+
+RANGES = {"exponent in the time of contact": (0.42, 0.54), "exponent in (gob - tool), end of the settling": (None, 1.5),
+          "exponent in (gob - tool), with the counter-blow": (None, 1.5)}
+
+
+def within(value, low, high):
+    return f"{digits(value, 3)}" + ("" if (low is None or value >= low) and (high is None or value <= high) else " **out**")
+
+
+def contact_laws():
+    """The candidates of the default law against published points, and whether the bundled parisons bear them."""
+    found = laws()["laws"]
+    rows = [["mean loss in the jar's blank, K", "", *(digits(law["jar"]["loss"], 3) for law in found.values())]]
+    for gob in (1100, 1150):
+        published_losses = [row["value"] for row in points("blank_side") if row["quantity"] == f"mean loss of a gob of {gob} degC" and row["at"] in ("3.12", "4.72")]
+        rows.append([f"loss of a gob of {gob} degC in the bottle's blank after 3.12, 4.72 s, K", ", ".join(published_losses) + " (another bottle)",
+                     *(", ".join(digits(loss, 3) for loss in law[f"loss, gob of {gob} degC"]) for law in found.values())])
+    rows.append(["heat into the jar's blank over that of perfect contact, %", "50 to 70", *(within(law["jar"]["share"], 50, 70) for law in found.values())])
+    for name, (low, high) in RANGES.items():
+        wanted = f"{low} to {high}" if low else f"at most {high}"
+        rows.append([name, wanted, *(within(law[name], low, high) for law in found.values())])
+    rows.append(["h of the laboratory's contact after a second, W/m2/K", "470 to 1750",
+                 *(within(law["opened"], 470, 1750) if law["opened"] else "500 (`h0`)" for law in found.values())])
+    ending = lambda law, case: {"completes": "completes", None: "not run"}.get(law["containers"].get(case), "**stops**")
+    for case in next(iter(found.values()))["containers"]:
+        rows.append([f"{case} on its tools", "completes", *(ending(law, case) for law in found.values())])
+    return table(["", "published or wanted", *found], rows)
+
+
+def contact_fits():
+    """Constants of the gap by `calibrate`, for each reading of the published ranges."""
+    return table(["reading of the published h over time", "`open_gap`, um, 95 % interval", "`opening_time`, s, 95 % interval"],
+                 [[name, *(f"{digits(one['value'], 3)} ({digits(one['low'], 3)} to {digits(one['high'], 3)})" for one in of.values())]
+                  for name, of in laws()["fits"].items()])
 
 
 def picture(name, found):
@@ -97,4 +140,4 @@ def picture(name, found):
     pyplot.close(figure)
 
 
-BLOCKS = {function.__name__: function for function in (measured, measured_cases)}
+BLOCKS = {function.__name__: function for function in (measured, measured_cases, contact_laws, contact_fits)}
