@@ -42,17 +42,17 @@ Index nearest_surface_node(const core::Mesh& from, const std::vector<bool>& on_s
   return best;
 }
 
-/// The tool in contact with each new surface node: that of the nearest old surface node, where the new node's gap is
-/// small too, or no wider than what a tool that grips reaches over.
-std::vector<Index> carried_contact(const Scene& scene, const State& old, const remesh::Transfer& transfer,
-                                   const core::Mesh& mesh) {
+/// A tool in contact with each new surface node, from those of the old nodes: that of the nearest old surface node,
+/// where the new node's gap is small too, or no wider than what a tool that grips reaches over.
+std::vector<Index> carried_contact(const Scene& scene, const State& old, const std::vector<Index>& contact_tool,
+                                   const remesh::Transfer& transfer, const core::Mesh& mesh) {
   const core::Mesh& from = old.glass.mesh;
   std::vector<bool> on_surface(from.nodes.size(), false);
   for (const Index node : surface_nodes(from)) on_surface[node] = true;
   std::vector<Index> tools(mesh.nodes.size(), -1);
   for (const Index node : surface_nodes(mesh)) {
     const Point& x = mesh.nodes[node];
-    const Index tool = old.glass.contact_tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
+    const Index tool = contact_tool[nearest_surface_node(from, on_surface, transfer.cell[node], x)];
     if (tool < 0) continue;
     const Body& body = scene.tools[tool];
     const auto contact = contact_boundaries(body);
@@ -134,11 +134,11 @@ Eigen::VectorXd interpolate_components(const core::Mesh& old, const remesh::Tran
 void carry_fields(const Scene& scene, const State& state, const remesh::Transfer& transfer,
                   const SurfaceTransfer& along_surface, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
-  const std::vector<Index> contact = carried_contact(scene, state, transfer, mesh);
   for_each_glass_field([&](const auto& field) {
     auto& values = next.glass.*field.values;
     if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<Index>>) {
-      if (field.transfer == TransferRule::nearest_contact) values = contact;
+      if (field.transfer == TransferRule::nearest_contact)
+        values = carried_contact(scene, state, state.glass.*field.values, transfer, mesh);
     } else {
       if (field.transfer == TransferRule::interpolate_along_surface && values.size() > 0)
         values = along_surface.interpolate(state.glass.*field.values);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "core/mesh/element.hpp"
 #include "core/mesh/tolerances.hpp"
+#include "forming/state/glass_fields.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
 #include "forming/step/contact/penetration.hpp"
@@ -108,7 +110,7 @@ Point place_on(const core::BoundaryEdge& edge, double s, const std::vector<Point
   return point_on({nodes[edge.nodes[0]], nodes[edge.nodes[1]], nodes[edge.nodes[2]]}, s);
 }
 
-/// Puts the middle node of an edge, with all that the glass has there, at another place of the same edge.
+/// Puts the middle node of an edge, with all fields of the glass there, at another place of the same edge.
 void slide_middle(const core::BoundaryEdge& edge, double s, GlassState& glass) {
   const auto n = core::edge_shape(s);
   const auto between = [&](auto&& at) {
@@ -116,14 +118,14 @@ void slide_middle(const core::BoundaryEdge& edge, double s, GlassState& glass) {
   };
   for (std::vector<Point>* nodes : {&glass.mesh.nodes, &glass.mass_nodes})
     (*nodes)[edge.nodes[2]] = place_on(edge, s, *nodes);
-  for (Eigen::VectorXd* field :
-       {&glass.temperature, &glass.temperature_rate, &glass.temperature_slowing, &glass.velocity, &glass.acceleration,
-        &glass.dilatation_mode, &glass.contact_pressure, &glass.contact_opening, &glass.mass_temperature}) {
-    const Index width = static_cast<Index>(field->size()) / glass.mesh.node_count();
-    if (width > 0)
-      field->segment(width * edge.nodes[2], width) =
-          between([&](Index node) { return field->segment(width * node, width); });
-  }
+  const auto slide = [&](auto& field) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, Eigen::VectorXd>)
+      if (const Index width = static_cast<Index>(field.size()) / glass.mesh.node_count(); width > 0)
+        field.segment(width * edge.nodes[2], width) =
+            between([&](Index node) { return field.segment(width * node, width); });
+  };
+  for_each_glass_field([&](const auto& field) { slide(glass.*field.values); });
+  slide(glass.mass_temperature);
 }
 
 /// Slides the middle node of an edge on a rounding of a tool to where it is off the middle by no more than lets the

@@ -92,10 +92,15 @@ double landed_length(const StepStart& start, const FlowPass& pass, const State& 
       closed = std::max(closed, -start.dt * pass.candidates[i].rate);
     }
   const double counts = min_landing_gap * start.scene.accuracy.surface_size;
+  const auto lands = [&](const core::BoundaryEdge& edge) {
+    return start.state.glass.contact_tool[edge.nodes[2]] < 0 && updated.glass.contact_tool[edge.nodes[2]] >= 0;
+  };
+  std::vector<core::BoundaryEdge> edges = mesh.boundary_edges();  // from one on that no front goes through
+  std::rotate(edges.begin(), std::find_if_not(edges.begin(), edges.end(), lands), edges.end());
   double largest = 0, length = 0, widest = 0, narrowest = 0;
-  for (const auto& edge : mesh.boundary_edges()) {
+  for (const auto& edge : edges) {
     const Index middle = edge.nodes[2];
-    if (start.state.glass.contact_tool[middle] >= 0 || updated.glass.contact_tool[middle] < 0) {
+    if (!lands(edge)) {
       length = 0;
       continue;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../pot_scene.hpp"
@@ -90,6 +91,19 @@ TEST_F(RemeshState, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_g
   ASSERT_TRUE(remeshed.ok) << remeshed.reason;
   expect_kept(state, remeshed.state);
   EXPECT_LT(max_penetration(scene, remeshed.state), 1e-6);
+}
+
+TEST_F(RemeshState, contact_that_has_just_begun_is_no_contact_of_the_step_before_on_the_new_mesh) {
+  scene = scene_of(pot);
+  State state = initial_state(scene);
+  for (const Index node : contact_nodes(state.glass.mesh)) state.glass.contact_tool[node] = 0;
+  state.glass.previous_contact_tool.assign(state.glass.contact_tool.size(), -1);
+  const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(remeshed.ok) << remeshed.reason;
+  const GlassState& glass = remeshed.state.glass;
+  EXPECT_GT(std::count(glass.contact_tool.begin(), glass.contact_tool.end(), 0), 0);
+  EXPECT_EQ(std::count(glass.previous_contact_tool.begin(), glass.previous_contact_tool.end(), -1),
+            glass.mesh.node_count());
 }
 
 TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_corner) {
