@@ -16,6 +16,7 @@
 #include "core/io/written_files.hpp"
 #include "core/process/build_id.hpp"
 #include "core/process/gmsh_module.hpp"
+#include "core/process/run_error.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
@@ -208,11 +209,13 @@ void start(Queue& queue, QueuedRun& run) {
   start_child(queue, run, arguments, "starts");
 }
 
-/// Starts what is ready; what is refused now, after others have run, is a run without results.
+/// Starts what is ready; what is refused or cannot be started now, after others have run, is a run without results.
 void start_or_fail(Queue& queue, QueuedRun& run) {
   try {
     start(queue, run);
   } catch (const core::CaseError& error) {
+    queue.end(run, Status::failed, error.what());
+  } catch (const core::RunError& error) {
     queue.end(run, Status::failed, error.what());
   }
 }

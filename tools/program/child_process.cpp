@@ -134,15 +134,11 @@ void expect_children() {
   sigprocmask(SIG_BLOCK, &ends, nullptr);
 }
 
-int ended_child(double seconds) {
-  int child = waitpid(-1, nullptr, WNOHANG);
-  if (child > 0) return child;
+void await_end_of_child(double seconds) {
   const sigset_t ends = end_of_child();
   const auto whole = static_cast<time_t>(seconds);
   const timespec wait{whole, static_cast<long>(1e9 * (seconds - static_cast<double>(whole)))};
   sigtimedwait(&ends, nullptr, &wait);
-  child = waitpid(-1, nullptr, WNOHANG);
-  return child > 0 ? child : 0;
 }
 
 bool has_ended(int child) {

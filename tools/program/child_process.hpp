@@ -14,11 +14,11 @@ int start_self(const std::vector<std::string>& arguments, const std::string& log
 /// code. This process must have no other threads and have called expect_children. Returns the id of the copy.
 int start_work(const std::function<int()>& work, const std::string& log);
 
-/// Holds back the signal of their end (SIGCHLD), for which ended_child waits; once, before the first start_work.
+/// Holds back the signal of their end (SIGCHLD), for which await_end_of_child waits; once, before the first start_work.
 void expect_children();
 
-/// A child that has ended, after waiting for one so long at most, s; 0 where none has.
-int ended_child(double seconds);
+/// Waits for the end of any child, so long at most, s; at once where one has ended since the last wait.
+void await_end_of_child(double seconds);
 
 /// Runs a program by its path with its arguments as they are, no shell between, its errors not shown; whether it ended
 /// with 0.

@@ -30,9 +30,7 @@ void start_next(Progress& progress, Running& running) {
   running[start_work([&] { return make_row(progress.plan, row); }, log)] = row;
 }
 
-void collect(Progress& progress, Running& running, int child) {
-  const std::size_t row = running.at(child);
-  running.erase(child);
+void collect(Progress& progress, std::size_t row) {
   const std::string words = last_words(log_path(progress.plan, row));
   SweepState state = forming::state_of(progress.plan, progress.plan.runs[row]);
   if (state.status == Status::waiting) {
@@ -42,6 +40,16 @@ void collect(Progress& progress, Running& running, int child) {
     state = {Status::failed, words.empty() ? interrupted + "; the same command goes on with it" : words};
   }
   end_run(progress, row, state);
+}
+
+void collect_ended(Progress& progress, Running& running) {
+  for (auto run = running.begin(); run != running.end();)
+    if (const auto [child, row] = *run; has_ended(child)) {
+      run = running.erase(run);
+      collect(progress, row);
+    } else {
+      ++run;
+    }
 }
 
 }  // namespace
@@ -58,7 +66,8 @@ bool run_sweep(const SweepPlan& plan, std::vector<SweepState>& states, int jobs,
     if (stop_requested() && !std::exchange(passed_on, true))
       for (const auto& [child, row] : running) request_stop(child);
     if (running.empty()) return progress.ended == plan.runs.size();
-    if (const int child = ended_child(longest_wait); child != 0) collect(progress, running, child);
+    await_end_of_child(longest_wait);
+    collect_ended(progress, running);
   }
 }
 
