@@ -20,14 +20,10 @@ constexpr double end_tolerance = 1e-9;     ///< slack at a segment's ends, in it
 /// end.
 constexpr double max_off = 2;
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// Angle by which the outline turns from a segment to the next, rad; positive at a convex corner of the tool.
 double turn_between(const Segment& before, const Segment& after) {
   const Point in = core::tangent_at(before, 1), out = core::tangent_at(after, 0);
-  return std::atan2(cross(in, out), in.dot(out));
+  return std::atan2(core::cross(in, out), in.dot(out));
 }
 
 /// The segments of an outline without those that are shorter than a joint and much shorter than both neighbours.
@@ -52,10 +48,10 @@ bool crosses(const Segment& segment, const Point& a, const Point& b) {
   const Point path = b - a;
   if (!segment.is_arc) {
     const Point along = segment.end - segment.start, offset = segment.start - a;
-    const double determinant = cross(path, along);
+    const double determinant = core::cross(path, along);
     if (determinant == 0) return false;
-    const double t = cross(offset, path) / determinant;
-    return inside(cross(offset, along) / determinant) && t >= 0 && t <= 1;
+    const double t = core::cross(offset, path) / determinant;
+    return inside(core::cross(offset, along) / determinant) && t >= 0 && t <= 1;
   }
   const Point arm = a - segment.centre;
   const double half = arm.dot(path) / path.squaredNorm();
@@ -74,7 +70,7 @@ bool is_off_curve(const Segment& segment, const Point& x, double reach) {
   const double far = (1 + rounding) * reach;
   if (segment.is_arc) return std::abs((x - segment.centre).norm() - segment.radius) > far;
   const Point along = segment.end - segment.start;
-  const double area = cross(along, x - segment.start);
+  const double area = core::cross(along, x - segment.start);
   return area * area > far * far * along.squaredNorm();
 }
 

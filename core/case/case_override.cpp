@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "core/case/number.hpp"
 #include "core/case/text/case_text.hpp"
 
 namespace parison::core {
@@ -52,10 +52,8 @@ CaseNode& split_off(CaseNode& list, std::size_t at, const std::string& tool) {
 }
 
 CaseNode& entry(CaseNode& list, const std::string& word, const CaseNode& place) {
-  std::size_t index = 0;
-  const auto end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, index);
-  if (read.ec == std::errc{} && read.ptr == end && index < list.items.size()) return list.items[index];
+  const auto index = parse_number<std::size_t>(word);
+  if (index && *index < list.items.size()) return list.items[*index];
   std::vector<std::string> known;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const auto names = names_of(list.items[i]);

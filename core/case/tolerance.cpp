@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "core/case/case_file.hpp"
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 
 namespace parison::core {
 namespace {
@@ -24,11 +24,9 @@ struct Number {
 
 /// "460 degC", "10", in its parts; nothing for what does not begin with a number or has brackets or signs behind it.
 std::optional<Number> split_number(std::string_view text) {
-  text = trimmed(text);
-  Number number;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number.value);
-  if (read.ec != std::errc{} || !std::isfinite(number.value)) return {};
-  number.unit = trimmed(text.substr(static_cast<std::size_t>(read.ptr - text.data())));
+  const auto read = leading_number(trimmed(text));
+  if (!read) return {};
+  const Number number{read->value, std::string(read->rest)};
   const bool is_unit = number.unit.empty() || std::isalnum(static_cast<unsigned char>(number.unit.front())) ||
                        number.unit.front() == '%';
   if (!is_unit || number.unit.find_first_of("()+,\"'") != std::string::npos) return {};

@@ -10,7 +10,6 @@ namespace parison::core {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double celsius_zero = 273.15;
 
 struct NamedUnit {
   std::string_view symbol;
@@ -202,7 +201,7 @@ ParsedQuantity parse_quantity(const std::string& text, const Dimension& expected
     if (std::abs(value) <= largest) return {value, {}};
     return {0, fmt::format("\"{}\" is too large, {} of up to {:g}{}", text, allowed, largest, si_unit(expected))};
   };
-  if (symbol == "degC" && expected.absolute) return in_range(number + celsius_zero);
+  if (symbol == "degC" && expected.absolute) return in_range(number + zero_celsius);
   if (symbol == "degC") return {0, fmt::format("\"{}\" is a temperature on a scale, {}", text, allowed)};
   const auto unit = symbol.empty() ? Unit{} : parse_unit(symbol).value_or(Unit{0, {}});
   if (unit.factor == 0) return {0, fmt::format("\"{}\" has the unknown unit \"{}\", {}", text, symbol, allowed)};

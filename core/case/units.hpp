@@ -6,6 +6,9 @@
 
 namespace parison::core {
 
+/// 0 degC in K.
+inline constexpr double zero_celsius = 273.15;
+
 /// Exponents of m, kg, s and K. `absolute` marks a temperature that may be given in degC, `heat` a heat on an area,
 /// which has the exponents of a surface tension and is called otherwise.
 struct Dimension {

@@ -18,10 +18,6 @@ Point on_circle(const Segment& arc, double angle) {
   return arc.centre + arc.radius * Point(std::cos(angle), std::sin(angle));
 }
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 std::vector<Point> chords_of(const Segment& segment, double chord, double sagitta) {
   double step = chord;
   if (segment.is_arc) step = std::min(step, std::sqrt(8 * segment.radius * sagitta));

@@ -18,10 +18,6 @@ namespace {
 constexpr double sharp = 0.2;
 constexpr int chords_of_arc = 32;
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// A contact segment of an active tool as a chain of chords.
 using Chain = std::vector<Point>;
 
@@ -44,9 +40,9 @@ void add_crossings(const Chain& first, const Chain& second, double same, std::ve
   for (std::size_t i = 0; i + 1 < first.size(); ++i)
     for (std::size_t k = 0; k + 1 < second.size(); ++k) {
       const Point u = first[i + 1] - first[i], v = second[k + 1] - second[k], w = second[k] - first[i];
-      const double area = cross(u, v);
+      const double area = core::cross(u, v);
       if (std::abs(area) < sharp * u.norm() * v.norm()) continue;
-      const double along_first = cross(w, v) / area, along_second = cross(w, u) / area;
+      const double along_first = core::cross(w, v) / area, along_second = core::cross(w, u) / area;
       if (within(along_first) && within(along_second)) add(first[i] + along_first * u, same, corners);
     }
 }
@@ -79,7 +75,7 @@ std::vector<Point> tool_corners(const Scene& scene, const State& state) {
       const auto& next = segments[(i + 1) % segments.size()];
       if (touches(segments[i])) chains.back().push_back(chain_of(segments[i], shift));
       if ((touches(segments[i]) || touches(next)) &&
-          std::abs(cross(core::tangent_at(segments[i], 1), core::tangent_at(next, 0))) > sharp)
+          std::abs(core::cross(core::tangent_at(segments[i], 1), core::tangent_at(next, 0))) > sharp)
         add(segments[i].end + shift, same, corners);
     }
   }

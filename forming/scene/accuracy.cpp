@@ -4,11 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
 #include "core/case/case_error.hpp"
+#include "core/case/number.hpp"
 #include "forming/scene/calibration.hpp"
 
 namespace parison::forming {
@@ -29,10 +29,8 @@ std::size_t nearest_preset(double level) {
 
 /// A whole text as a number above zero, 0 where it is none.
 double number(const std::string& text) {
-  double value = 0;
-  const auto end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  return read.ec == std::errc{} && read.ptr == end && std::isfinite(value) && value > 0 ? value : 0;
+  const auto value = core::parse_number<double>(text);
+  return value && std::isfinite(*value) && *value > 0 ? *value : 0;
 }
 
 [[noreturn]] void refuse(const std::string& text) {

@@ -14,6 +14,7 @@
 #include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/table.hpp"
 #include "core/case/tolerance.hpp"
+#include "core/case/units.hpp"
 #include "core/io/input_file.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
@@ -230,9 +231,9 @@ struct Probe {
 
 /// Limits of the process that a run tells of when it goes beyond them.
 struct Flags {
-  double tool_surface_above = 645 + 273.15;  ///< K: glass sticks to a hotter tool
-  std::optional<double> glass_below;         ///< K
-  std::optional<double> wall_below;          ///< m, of the finished wall
+  double tool_surface_above = 645 + core::zero_celsius;  ///< K: glass sticks to a hotter tool
+  std::optional<double> glass_below;                     ///< K
+  std::optional<double> wall_below;                      ///< m, of the finished wall
 };
 
 struct Output {

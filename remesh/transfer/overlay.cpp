@@ -100,10 +100,6 @@ constexpr double straight = 1e-9;     ///< mid-side offset over size below which
 constexpr double negligible = 1e-12;  ///< share of a cell
 constexpr double furthest = 0.3;      ///< extrapolation out of an old cell, reference coordinates
 
-double cross(const Point& u, const Point& v) {
-  return u[0] * v[1] - u[1] * v[0];
-}
-
 /// Reference coordinates, those of a point farther outside than `furthest` brought back to there. Small changes of the
 /// point change the result a little only.
 std::array<double, 2> limited(const std::array<double, 2>& at) {
@@ -126,7 +122,7 @@ Polygon clip(const Polygon& polygon, const Point& a, const Point& b) {
   Polygon kept;
   for (int i = 0; i < polygon.count; ++i) {
     const Point &p = polygon.corner[i], &q = polygon.corner[(i + 1) % polygon.count];
-    const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
+    const double at_p = core::cross(b - a, p - a), at_q = core::cross(b - a, q - a);
     if (at_p >= 0) kept.add(p);
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.add(p + at_p / (at_p - at_q) * (q - p));
   }
@@ -198,7 +194,7 @@ class Overlay {
     straight_ = is_straight(map_);
     Polygon triangle;
     for (int k = 0; k < 3; ++k) triangle.add(to_.nodes[to_.cells()[cell][k]]);
-    const double whole = cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
+    const double whole = core::cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
     std::array<double, 6> sum{};
     const core::Box box = box_of(triangle);
     const Point margin = Point::Constant(0.05 * (box.high - box.low).maxCoeff());
@@ -243,13 +239,13 @@ class Overlay {
     points_.clear();
     for (int i = 1; i + 1 < polygon.count; ++i) {
       const Point &o = polygon.corner[0], u = polygon.corner[i] - o, v = polygon.corner[i + 1] - o;
-      const double fraction = cross(u, v) / whole;
+      const double fraction = core::cross(u, v) / whole;
       if (fraction < negligible) continue;
       for (const core::TriangleRulePoint& at : core::triangle_rule(straight_ ? 5 : 6)) {
         const Point x = o + at.a * u + at.b * v;
         const auto [a, b] = core::chord_coordinates(map_, x);
         if (straight_) {
-          points_.push_back({x, at.weight * cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
+          points_.push_back({x, at.weight * core::cross(u, v) * core::depth(geometry_, x), core::triangle_shape(a, b)});
         } else {
           const core::CellPoint point = core::map_cell_point(to_, cell, geometry_, {a, b, at.weight * fraction});
           points_.push_back({point.position, point.volume, point.shape});

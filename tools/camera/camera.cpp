@@ -26,7 +26,7 @@ namespace {
 using thermal::CameraBand;
 using thermal::LineOfSight;
 
-constexpr double zero_celsius = 273.15, millimetre = 1e-3, micrometre = 1e-6;
+constexpr double millimetre = 1e-3, micrometre = 1e-6;
 constexpr std::size_t most_pixels = 400000;
 constexpr double shortest_wave = 0.3e-6, longest_wave = 50e-6;  // m: what thermal cameras see, with a margin
 
@@ -97,7 +97,7 @@ InfraredImage image_of(const LineOfSight& view, const Raster& raster, const std:
     auto& values = image.rows.emplace_back();
     for (std::size_t column = 0; column < raster.columns; ++column) {
       const thermal::Ray ray = raster.line(column, row, away);
-      values.push_back(view.meets(ray) ? view.apparent_temperature(view.radiance(ray)) - zero_celsius
+      values.push_back(view.meets(ray) ? view.apparent_temperature(view.radiance(ray)) - core::zero_celsius
                                        : std::numeric_limits<double>::quiet_NaN());
     }
   }
@@ -115,7 +115,7 @@ std::string profile_text(const std::vector<InfraredImage>& images, const LineOfS
   text += "\n";
   const double away = 10 * raster.pixel * static_cast<double>(raster.columns + raster.rows);
   for (std::size_t row = 0; row < raster.rows; ++row) {
-    const double surface = view.surface_temperature(raster.line(0, row, away)) - zero_celsius;
+    const double surface = view.surface_temperature(raster.line(0, row, away)) - core::zero_celsius;
     text += fmt::format("{:.4g},{:.6g}", images[0].low + images[0].pixel * static_cast<double>(row), surface);
     for (const InfraredImage& image : images) text += fmt::format(",{:.6g}", image.rows[row][0]);
     text += "\n";
@@ -157,7 +157,8 @@ int camera(const CameraRequest& request) {
   std::string profile;
   const std::string name = request.output.empty() ? request.results + "/camera" : request.output;
   for (const char* ending : {".csv", ".svg"}) core::require_own(name + ending);
-  fmt::print("{} at {:.4g} s, surroundings {:.0f} degC\n", request.results, hot.time, surroundings - zero_celsius);
+  fmt::print("{} at {:.4g} s, surroundings {:.0f} degC\n", request.results, hot.time,
+             surroundings - core::zero_celsius);
   for (const CameraBand& band : bands) {
     const LineOfSight view(hot.mesh, core::Geometry::axisymmetric, hot.temperature, optics, band, surroundings);
     images.push_back(image_of(view, raster, name_of(band), forming::is_upright(*of.scene, stage)));

@@ -9,13 +9,14 @@
 #include <utility>
 
 #include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
 #include "tools/report/film/vtu_file.hpp"
 
 namespace parison::tools {
 
 namespace {
 
-constexpr double zero_celsius = 273.15, millimetre = 1e-3;
+constexpr double millimetre = 1e-3;
 constexpr int nodes_of_cell = 6, corners_of_cell = 3;
 
 /// The mesh of a file, its nodes renumbered with the corners first; `node` becomes the file's number of each.
@@ -61,7 +62,7 @@ HotSection read_hot_section(const std::string& folder, std::optional<double> tim
   HotSection section{nearest->time, mesh_of(file, node), {}};
   section.temperature.resize(section.mesh.node_count());
   for (std::size_t n = 0; n < node.size(); ++n)
-    section.temperature[static_cast<core::Index>(n)] = field->second[node[n]] + zero_celsius;
+    section.temperature[static_cast<core::Index>(n)] = field->second[node[n]] + core::zero_celsius;
   return section;
 }
 

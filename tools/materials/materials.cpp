@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
 #include "core/io/files.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "tools/materials/viscosity_picture.hpp"
@@ -17,16 +18,16 @@ namespace {
 
 using forming::NamedMaterial;
 
-constexpr double zero_celsius = 273.15, typical = 500;  // degC, of a tool
+constexpr double typical = 500;  // degC, of a tool
 
 /// Temperature at which a falling viscosity has a value, degC.
 double temperature_at(const flow::Viscosity& viscosity, double log10_viscosity) {
-  double cold = 300 + zero_celsius, hot = 2000 + zero_celsius;
+  double cold = 300 + core::zero_celsius, hot = 2000 + core::zero_celsius;
   while (hot - cold > 1e-3) {
     const double middle = 0.5 * (cold + hot);
     (std::log10(viscosity(middle)) > log10_viscosity ? cold : hot) = middle;
   }
-  return hot - zero_celsius;
+  return hot - core::zero_celsius;
 }
 
 std::string glass_lines() {
@@ -44,7 +45,7 @@ std::string tool_lines() {
   std::string text = fmt::format("\n{:<26}{:>12}{:>12}{:>12}\n", "tool, at 500 degC", "W/m/K", "J/kg/K", "kg/m3");
   for (const NamedMaterial& material : forming::library_materials())
     if (!material.flow) {
-      const double T = typical + zero_celsius;
+      const double T = typical + core::zero_celsius;
       text += fmt::format("{:<26}{:>12.3g}{:>12.4g}{:>12.4g}  {}\n", material.name, material.thermal->conductivity(T),
                           material.thermal->heat_capacity(T), material.thermal->density, material.about);
     }
@@ -56,8 +57,9 @@ std::string shown(const NamedMaterial& material) {
   if (!material.flow) return text;
   text += "\n  degC        Pa.s\n";
   for (double T = 500; T <= 1400; T += 100)
-    text += fmt::format("  {:<12g}{:.3g}{}\n", T, material.flow->viscosity(T + zero_celsius),
-                        material.flow->viscosity.is_capped(T + zero_celsius) ? "  (the most that a run uses)" : "");
+    text +=
+        fmt::format("  {:<12g}{:.3g}{}\n", T, material.flow->viscosity(T + core::zero_celsius),
+                    material.flow->viscosity.is_capped(T + core::zero_celsius) ? "  (the most that a run uses)" : "");
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
 
 namespace parison::tools {
 namespace {
@@ -55,11 +56,11 @@ std::string grid() {
 }
 
 std::string curve(const flow::Viscosity& viscosity, const char* colour) {
-  constexpr double zero_celsius = 273.15, step = 5;
+  constexpr double step = 5;
   std::string path;
   for (double T = coldest; T <= hottest; T += step) {
-    const double decades = std::log10(viscosity(T + zero_celsius));
-    if (viscosity.is_capped(T + zero_celsius) || decades < thinnest || decades > stiffest) continue;
+    const double decades = std::log10(viscosity(T + core::zero_celsius));
+    if (viscosity.is_capped(T + core::zero_celsius) || decades < thinnest || decades > stiffest) continue;
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : " L", across(T), down(decades));
   }
   return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\"/>\n", path, colour);

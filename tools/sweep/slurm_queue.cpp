@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "tools/program/child_process.hpp"
 
 namespace parison::tools {
@@ -24,12 +24,6 @@ std::string sentence(const std::string& text) {
   for (const std::string_view mark : {"error: ", "fatal: "})
     if (const auto at = last.rfind(mark); at != last.npos) last.remove_prefix(at + mark.size());
   return last.empty() ? "it said nothing" : std::string(last);
-}
-
-std::optional<std::size_t> number(std::string_view text) {
-  std::size_t value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  return read.ec == std::errc{} && read.ptr == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 std::vector<std::string> sbatch(const SlurmJobs& jobs, const std::vector<std::string>& own) {
@@ -65,7 +59,8 @@ void require_slurm(SlurmJobs& jobs) {
   core::Lines lines(config.text);
   for (std::string_view line; lines.next(line);)
     if (line.rfind("MaxArraySize", 0) == 0)
-      if (const auto size = number(core::trimmed(line.substr(line.find('=') + 1))); size && *size > 1)
+      if (const auto size = core::parse_number<std::size_t>(core::trimmed(line.substr(line.find('=') + 1)));
+          size && *size > 1)
         jobs.array_size = *size;
   const ProgramOutput tried = output_of_program(sbatch(jobs, {"--test-only", "--wrap=true"}));
   if (tried.code != 0) throw core::CaseError(fmt::format("--engine slurm: Slurm refuses: {}", sentence(tried.text)));
@@ -79,7 +74,8 @@ std::optional<std::set<std::size_t>> rows_in_queue(const SlurmJobs& jobs) {
   core::Lines lines(queue.text);
   for (std::string_view line; lines.next(line);) {
     const auto bar = std::min(line.find('|'), line.size() - 1);
-    const auto first = number(line.substr(0, bar)), index = number(core::trimmed(line.substr(bar + 1)));
+    const auto first = core::parse_number<std::size_t>(line.substr(0, bar)),
+               index = core::parse_number<std::size_t>(core::trimmed(line.substr(bar + 1)));
     if (first && index) rows.insert(*first + *index);
   }
   return rows;

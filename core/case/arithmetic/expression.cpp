@@ -12,7 +12,7 @@
 namespace parison::core {
 namespace {
 
-constexpr double pi = 3.14159265358979323846, celsius_zero = 273.15;
+constexpr double pi = 3.14159265358979323846;
 constexpr int largest_exponent = 30, largest_power = 10;
 constexpr const char* power_range = "allowed behind ^ is a whole number, -10 to 10";
 
@@ -179,7 +179,7 @@ class Formula {
     skip_blanks();
     if (!rest_.empty() && rest_.front() == '^')
       fail("^ follows a number with a unit, allowed are brackets around the two");
-    if (symbol == "degC") return checked({value + celsius_zero, dimension::temperature});
+    if (symbol == "degC") return checked({value + zero_celsius, dimension::temperature});
     const Unit unit = *parse_unit(symbol);
     return checked({value * unit.factor, unit.dimension});
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/viscosity/composition.hpp"
 
+#include "core/case/units.hpp"
+
 namespace parison::flow {
 namespace {
-
-constexpr double zero_celsius = 273.15;
 
 /// Change of the temperature at 10, 1e3 and 1e5 Pa.s by one part of an oxide for 100 parts of SiO2, K.
 struct OxideEffect {
@@ -52,7 +52,7 @@ std::array<double, 3> isokom_temperatures(const Composition& composition) {
     for (std::size_t i = 0; i < 3; ++i) temperature[i] += oxide.effect[i] * parts;
   }
   const double boron = 100 * share("B2O3") / share("SiO2");
-  for (std::size_t i = 0; i < 3; ++i) temperature[i] += boron_squared[i] * boron * boron + zero_celsius;
+  for (std::size_t i = 0; i < 3; ++i) temperature[i] += boron_squared[i] * boron * boron + core::zero_celsius;
   return temperature;
 }
 

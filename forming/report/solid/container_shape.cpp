@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 
@@ -43,12 +43,10 @@ class CsvRows {
   const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
   double number(std::size_t row, std::size_t column) const {
     const std::string& text = rows_[row][column];
-    if (text == "nan" || text == "-nan") return std::numeric_limits<double>::quiet_NaN();
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+    const auto value = core::parse_number<double>(text);
+    if (!value)
       throw core::CaseError(fmt::format("{}:{}: \"{}\" was found, allowed is a number", path_, row + 2, text));
-    return value;
+    return *value;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/units.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/support.hpp"
 #include "forming/scene/read/temperature/temperature_table.hpp"
@@ -13,7 +14,7 @@
 namespace parison::forming {
 namespace {
 
-constexpr double zero_celsius = 273.15, bar = 1e5;
+constexpr double bar = 1e5;
 
 /// Whether hot glass of one temperature is pressed or blown between tools, as a gob is.
 bool forms_a_gob(const Scene& scene) {
@@ -37,7 +38,7 @@ void add_gob_temperature(const Scene& scene, std::vector<std::string>& notes) {
   notes.push_back(fmt::format(
       "the glass starts at {0:.4g} degC ({1:.4g} K), where its viscosity is {2:.3g} Pa.s; usual are gobs of {3:g} to "
       "{4:g} degC of container glass, {5:g} to {6:g} Pa.s{7}",
-      kelvin - zero_celsius, kelvin, eta, coldest, hottest, least, most,
+      kelvin - core::zero_celsius, kelvin, eta, coldest, hottest, least, most,
       is_swapped ? fmt::format("; was \"{:.4g} degC\" meant?", kelvin) : ""));
 }
 
@@ -45,7 +46,7 @@ void add_gob_temperature(const Scene& scene, std::vector<std::string>& notes) {
 void add_tool_temperatures(const Scene& scene, bool is_around_gob, std::vector<std::string>& notes) {
   constexpr double coldest = 350, hottest = 600, iron_melts = 1150;  // degC; the eutectic of iron and graphite
   for (const Tool& tool : scene.tools) {
-    const double celsius = tool.initial_temperature - zero_celsius;
+    const double celsius = tool.initial_temperature - core::zero_celsius;
     const bool is_usual = is_around_gob ? celsius >= coldest && celsius <= hottest : celsius < iron_melts;
     if (!tool.thermal || tool.start_field || is_usual) continue;
     std::string note = fmt::format("\"{}\" starts at {:.4g} degC", tool.name, celsius);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/units.hpp"
 #include "forming/scene/read/read_density.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
@@ -203,7 +204,7 @@ void read_glass_temperature(const CaseTable& table, const BodyContext& context, 
   const double coldest = glass.start_field ? glass.start_field->min : glass.initial_temperature;
   if (item && glass.flow && !glass.flow->viscosity.constant && coldest <= glass.flow->viscosity.T0)
     core::refuse(*item, fmt::format("{} was found, allowed are temperatures above T0 of the viscosity",
-                                    glass.start_field ? fmt::format("{:.4g} degC", coldest - 273.15)
+                                    glass.start_field ? fmt::format("{:.4g} degC", coldest - core::zero_celsius)
                                                       : fmt::format("\"{}\"", item->text)));
   const auto* skin = table.find("skin");
   if (skin && glass.start_field)

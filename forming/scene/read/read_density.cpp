@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/case/units.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -23,7 +24,7 @@ constexpr double room_temperature = 293.15;  // K
 constexpr double most_expansion = 100e-6;
 
 double celsius(double temperature) {
-  return temperature - 273.15;
+  return temperature - core::zero_celsius;
 }
 
 Density relative_to_first(core::Table table) {

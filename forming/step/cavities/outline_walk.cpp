@@ -12,10 +12,6 @@ namespace {
 constexpr int max_chords = 20000;  ///< of one walk
 constexpr double same_place = 1e-9;
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// What a walk meets on a chord, at the fraction t of it.
 struct Event {
   double t = std::numeric_limits<double>::infinity();
@@ -93,10 +89,10 @@ void Walker::meet_crossings(Index run, Event& first) const {
   const auto& points = runs_[run].points;
   for (Index c = 0; c < runs_[run].chord_count(); ++c) {
     const Point other = points[c + 1] - points[c], offset = points[c] - a;
-    const double turn = cross(along, other);
+    const double turn = core::cross(along, other);
     // Into the body on the left of `other`.
     if (!(turn < -1e-12 * along.norm() * other.norm())) continue;
-    const double t = cross(offset, other) / turn, s = cross(offset, along) / turn;
+    const double t = core::cross(offset, other) / turn, s = core::cross(offset, along) / turn;
     if (s < -same_place || s >= 1 || t <= at_.t + same_place || t > 1 || t >= first.t) continue;
     first = {t, Event::Kind::other_tool, -1, {run, c, std::max(0.0, s)}};
   }
@@ -179,11 +175,11 @@ LineEnd Walker::end_of_line(const Point& from, const Point& direction) const {
   LineEnd first;
   const auto meet = [&](const Point& x, const Point& line, Index arc, Index run) {
     const Point to = x - from;
-    const double turn = cross(direction, line);
+    const double turn = core::cross(direction, line);
     const bool is_same_line = line.dot(direction) < opposite;
     if (!is_same_line && turn < crossing) return;
-    const double ahead = is_same_line ? to.dot(direction) : cross(to, line) / turn;
-    const double off = is_same_line ? -std::abs(cross(to, direction)) : cross(to, direction) / turn;
+    const double ahead = is_same_line ? to.dot(direction) : core::cross(to, line) / turn;
+    const double off = is_same_line ? -std::abs(core::cross(to, direction)) : core::cross(to, direction) / turn;
     if (off < -scene_.seal_gap || ahead <= -scene_.seal_gap || ahead >= first.ahead) return;
     if (is_same_line)
       first = {ahead, arc, run, x, {}};

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "core/case/number.hpp"
 #include "forming/study/comparison/cycle_result.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 
@@ -61,9 +61,9 @@ std::vector<std::string> rounds_in(const std::string& folder) {
   const std::string prefix = "at_draft_coarser_";
   std::vector<std::pair<double, std::string>> found;
   for (const std::string& name : folders_in(folder))
-    if (const double factor = name.rfind(prefix, 0) == 0 ? std::strtod(name.c_str() + prefix.size(), nullptr) : 0;
-        factor > 0)
-      found.emplace_back(factor, folder + '/' + name);
+    if (name.rfind(prefix, 0) == 0)
+      if (const auto factor = core::leading_number(std::string_view(name).substr(prefix.size())))
+        found.emplace_back(factor->value, folder + '/' + name);
   std::sort(found.begin(), found.end());
   std::vector<std::string> rounds;
   for (auto& [factor, round] : found) rounds.push_back(std::move(round));

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 
+#include "core/case/units.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/study/production/surface_range.hpp"
 
 namespace parison::forming {
 namespace {
-
-constexpr double zero_celsius = 273.15;
 
 void add_search(core::JsonWriter& json, const Scene& scene, const PeriodicState& state) {
   json.open_list("forming_runs");
@@ -40,10 +39,10 @@ void add_tool(core::JsonWriter& json, const Scene& scene, const PeriodicState& s
   json.add("use_begin_s", state.cycle.uses[t].begin);
   json.add("use_end_s", state.cycle.uses[t].end);
   json.add("sets", static_cast<long>(state.cycle.sets[t]));
-  json.add("surface_min_degC", range.min - zero_celsius);
-  json.add("surface_mean_degC", range.mean - zero_celsius);
-  json.add("surface_max_degC", range.max - zero_celsius);
-  json.add("hottest_point_degC", range.hottest - zero_celsius);
+  json.add("surface_min_degC", range.min - core::zero_celsius);
+  json.add("surface_mean_degC", range.mean - core::zero_celsius);
+  json.add("surface_max_degC", range.max - core::zero_celsius);
+  json.add("hottest_point_degC", range.hottest - core::zero_celsius);
   json.add("heat_received_J", heat.received);
   json.open_object("power_W");
   for (std::size_t b = 0; b < tool.boundaries.size(); ++b)
@@ -71,7 +70,7 @@ void add_changes(core::JsonWriter& json, const std::vector<CaseDifference>& chan
 /// Wanted temperatures and the cooling that was found for them.
 void add_wanted(core::JsonWriter& json, const PeriodicRequest& request, const PeriodicState& state) {
   json.open_object("wanted_degC");
-  for (const WantedTool& one : request.wanted) json.add(one.name, one.temperature - zero_celsius);
+  for (const WantedTool& one : request.wanted) json.add(one.name, one.temperature - core::zero_celsius);
   json.close();
   json.open_object("cooling_W_m2K");
   for (const Cooling& one : state.cooling) json.add(one.key(), one.h);
@@ -119,10 +118,10 @@ std::string cycle_text(const Scene& scene, const PeriodicState& state) {
   for (const CycleSample& sample : state.settled.samples) {
     text += fmt::format("{:.10g},{}", sample.time, core::csv_text(sample.stage));
     for (const ToolTemperatures& tool : sample.tools)
-      text += fmt::format(",{:.10g},{:.10g},{:.10g}", tool.surface_mean - zero_celsius, tool.surface_max - zero_celsius,
-                          tool.mean - zero_celsius);
+      text += fmt::format(",{:.10g},{:.10g},{:.10g}", tool.surface_mean - core::zero_celsius,
+                          tool.surface_max - core::zero_celsius, tool.mean - core::zero_celsius);
     for (std::size_t p = 0; p < scene.probes.size(); ++p)
-      if (scene.probes[p].body != glass_body) text += fmt::format(",{:.10g}", sample.probes[p] - zero_celsius);
+      if (scene.probes[p].body != glass_body) text += fmt::format(",{:.10g}", sample.probes[p] - core::zero_celsius);
     text += '\n';
   }
   return text;
@@ -135,7 +134,7 @@ std::string cycles_text(const Scene& scene, const std::vector<StartUpCycle>& cyc
   text += ",distance_K\n";
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     text += fmt::format("{}", k);
-    for (const double mean : cycles[k].mean) text += fmt::format(",{:.10g}", mean - zero_celsius);
+    for (const double mean : cycles[k].mean) text += fmt::format(",{:.10g}", mean - core::zero_celsius);
     text += fmt::format(",{:.6g}\n", cycles[k].distance);
   }
   return text;
@@ -163,9 +162,9 @@ std::string periodic_table(const Scene& scene, const PeriodicState& state) {
       if (scene.tools[t].boundaries[b].kind != BoundaryKind::contact) out += heat.through[b];
     text += fmt::format("  {:<14}{:>16}{:>34}{:>12.1f}{:>12.3f}{:>12.1f}\n", scene.tools[t].name,
                         fmt::format("{:.4g} to {:.4g}", state.cycle.uses[t].begin, state.cycle.uses[t].end),
-                        fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - zero_celsius, range.mean - zero_celsius,
-                                    range.max - zero_celsius),
-                        range.hottest - zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds_of(t));
+                        fmt::format("{:.1f}  {:.1f}  {:.1f}", range.min - core::zero_celsius,
+                                    range.mean - core::zero_celsius, range.max - core::zero_celsius),
+                        range.hottest - core::zero_celsius, 1e-3 * heat.received, out / state.cycle.seconds_of(t));
   }
   text +=
       "  surface: the mean over it, the lowest, mean and highest in the cycle; hottest: of any place and time;\n"

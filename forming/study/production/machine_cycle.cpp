@@ -9,6 +9,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
+#include "core/case/units.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/surroundings.hpp"
 
@@ -114,7 +115,6 @@ void refuse_short(const Scene& scene, const MachineCycle& cycle) {
 
 /// What is as hot as the glass takes no heat from a tool that glass heats.
 void refuse_hot_cooling(const Scene& scene, const MachineCycle& cycle) {
-  constexpr double zero_celsius = 273.15;
   State state = initial_state(scene);
   const double glass = state.glass.temperature.maxCoeff();
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
@@ -124,7 +124,7 @@ void refuse_hot_cooling(const Scene& scene, const MachineCycle& cycle) {
       throw core::CaseError(
           fmt::format("{}: what cools the tool \"{}\" has {:.4g} degC and more, but the glass starts at {:.4g} degC: "
                       "allowed are tools that something colder than the glass cools",
-                      scene.file, scene.tools[t].name, coldest - zero_celsius, glass - zero_celsius));
+                      scene.file, scene.tools[t].name, coldest - core::zero_celsius, glass - core::zero_celsius));
   }
 }
 

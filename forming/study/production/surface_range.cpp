@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "core/case/units.hpp"
+
 namespace parison::forming {
 namespace {
-
-constexpr double zero_celsius = 273.15;
 
 bool is_soft_at(const Scene& scene, double temperature) {
   constexpr double softening_point = 4e6;  // Pa.s
@@ -42,21 +42,21 @@ std::vector<std::string> why_not_possible(const Scene& scene, const std::vector<
     const SurfaceRange range = range_of(samples, t);
     const std::string& name = scene.tools[t].name;
     if (range.mean > sticks)
-      sentences.push_back(
-          fmt::format("the surface of \"{}\" settles at {:.0f} degC on the mean, {:.0f} degC at its hottest; glass "
-                      "sticks above {:.0f} degC: cool it more, or make fewer containers in the time",
-                      name, range.mean - zero_celsius, range.hottest - zero_celsius, sticks - zero_celsius));
+      sentences.push_back(fmt::format(
+          "the surface of \"{}\" settles at {:.0f} degC on the mean, {:.0f} degC at its hottest; glass "
+          "sticks above {:.0f} degC: cool it more, or make fewer containers in the time",
+          name, range.mean - core::zero_celsius, range.hottest - core::zero_celsius, sticks - core::zero_celsius));
     else if (is_soft_at(scene, range.hottest))
       sentences.push_back(
           fmt::format("the surface of \"{}\" gets {:.0f} degC hot, where the glass itself is softer than at its "
                       "softening point and sticks: cool it more, or make fewer containers in the time",
-                      name, range.hottest - zero_celsius));
+                      name, range.hottest - core::zero_celsius));
   }
   return sentences;
 }
 
 std::vector<std::string> too_cold(const Scene& scene, const std::vector<CycleSample>& samples) {
-  constexpr double coldest_usual = 400 + zero_celsius;
+  constexpr double coldest_usual = 400 + core::zero_celsius;
   std::vector<std::string> sentences;
   for (std::size_t t = 0; !samples.empty() && t < scene.tools.size(); ++t) {
     const double mean = range_of(samples, t).mean;
@@ -64,7 +64,7 @@ std::vector<std::string> too_cold(const Scene& scene, const std::vector<CycleSam
       sentences.push_back(
           fmt::format("the surface of \"{}\" settles at {:.0f} degC on the mean, where tools of production have {:.0f} "
                       "degC and more: cool it less, or make more containers in the time",
-                      scene.tools[t].name, mean - zero_celsius, coldest_usual - zero_celsius));
+                      scene.tools[t].name, mean - core::zero_celsius, coldest_usual - core::zero_celsius));
   }
   return sentences;
 }

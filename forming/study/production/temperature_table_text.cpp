@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/case/units.hpp"
 #include "core/mesh/element.hpp"
 
 namespace parison::forming {
@@ -90,7 +91,7 @@ void add_smoothness(const Grid& grid, Entries& matrix, Eigen::VectorXd& right) {
 }  // namespace
 
 std::string temperature_table_text(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
-  constexpr double zero_celsius = 273.15, mm = 1e3;
+  constexpr double mm = 1e3;
   const Grid grid = grid_around(mesh);
   Entries entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(grid.count());
@@ -106,7 +107,7 @@ std::string temperature_table_text(const core::Mesh& mesh, const Eigen::VectorXd
     for (int i = 0; i < grid.across; ++i) {
       const Point x = mm * grid.at(i, k);
       text += fmt::format("{:.6g},{:.6g},{:.1f}\n", x[0], x[1],
-                          std::clamp(values[grid.index(i, k)], lowest, highest) - zero_celsius);
+                          std::clamp(values[grid.index(i, k)], lowest, highest) - core::zero_celsius);
     }
   return text;
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/case/case_error.hpp"
+#include "core/case/units.hpp"
 #include "forming/report/process/tool_surface.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/surroundings.hpp"
@@ -20,8 +21,6 @@
 
 namespace parison::forming {
 namespace {
-
-constexpr double zero_celsius = 273.15;
 
 /// The largest h of a tool stays between that of still air behind insulation and that of boiling water, W/m2/K.
 constexpr double insulated = 1, hardest = 1e5;
@@ -72,7 +71,7 @@ void require_between(const Scene& scene, const Tool& tool, double wanted) {
     throw core::CaseError(fmt::format(
         "--want {}: {:.4g} degC was found, which no cooling gives: allowed are temperatures between that of what cools "
         "it, {:.4g} degC, and that of the glass, {:.4g} degC",
-        tool.name, wanted - zero_celsius, coldest - zero_celsius, hottest - zero_celsius));
+        tool.name, wanted - core::zero_celsius, coldest - core::zero_celsius, hottest - core::zero_celsius));
 }
 
 /// The least that a place of the contact surface of a tool loses in any stage without glass, W/m2.
@@ -192,10 +191,10 @@ std::vector<Goal> goals_of(const CoolingSearch& search, const Scene& scene, cons
 std::string out_of_reach(const Scene& scene, const Goal& goal) {
   const bool too_hot = goal.off() < 0;
   return fmt::format("--want {}: {:.4g} degC cannot be reached by any cooling: {} it settles at {:.0f} degC",
-                     scene.tools[goal.tool].name, goal.wanted - zero_celsius,
+                     scene.tools[goal.tool].name, goal.wanted - core::zero_celsius,
                      too_hot ? fmt::format("as good as insulated, with h = {:g} W/m2/K,", insulated)
                              : fmt::format("even with h = {:g} W/m2/K", hardest),
-                     goal.temperature - zero_celsius);
+                     goal.temperature - core::zero_celsius);
 }
 
 /// Takes the next h of each tool that is further off than this, if any.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/case/units.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/setting_error.hpp"
 
@@ -62,9 +63,9 @@ bool is_never_negative(const std::string& name) {
 
 /// Refuses what lies beyond that which a quantity can be: `low` and `high` are where it is wanted.
 void require_reachable(const CaseNode& node, const Quantity& quantity, double low, double high, const Reach& reach) {
-  constexpr double zero = 273.15;
   const double found = std::isfinite(low) ? low : high;
-  const double coldest = reach.temperatures.min_temperature - zero, hottest = reach.temperatures.max_temperature - zero;
+  const double coldest = reach.temperatures.min_temperature - core::zero_celsius,
+               hottest = reach.temperatures.max_temperature - core::zero_celsius;
   if (quantity.unit == "degC" && (high < coldest || low > hottest))
     core::refuse(node, fmt::format("{:g} degC was found, which no run can reach, allowed is what lies between the "
                                    "coldest and the hottest of the case, {:g} and {:g} degC",

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 
@@ -18,10 +18,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double number_in(std::string_view cell) {
-  cell = core::trimmed(cell);
-  double value = none;
-  const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return read.ec == std::errc{} && read.ptr == cell.data() + cell.size() ? value : none;
+  return core::parse_number<double>(core::trimmed(cell)).value_or(none);
 }
 
 int column(const std::vector<std::string_view>& heading, std::initializer_list<const char*> names) {

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 
 namespace parison::forming {
 
@@ -15,13 +15,10 @@ using core::CaseNode;
 Measured read_measured(const CaseNode& node) {
   if (node.kind == CaseNode::Kind::number) return {node.number, ""};
   const std::string& text = core::text(node);
-  double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  const auto used = static_cast<std::size_t>(read.ptr - text.data());
-  const std::string unit(core::trimmed(std::string_view(text).substr(used)));
-  if (read.ec != std::errc{} || !std::isfinite(value) || unit.find_first_of("()\"'") != unit.npos)
+  const auto read = core::leading_number(text);
+  if (!read || read->rest.find_first_of("()\"'") != read->rest.npos)
     core::refuse(node, fmt::format("\"{}\" was found, allowed is a number with its unit, such as \"440 degC\"", text));
-  return {value, unit};
+  return {read->value, std::string(read->rest)};
 }
 
 std::string measure_text(double value, const std::string& unit) {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
 #include "core/io/json_read.hpp"
@@ -27,12 +27,9 @@ struct Measure {
 
 /// "440 degC" in its parts; nothing for what does not begin with a number or goes on with another.
 std::optional<Measure> measure(const std::string& text) {
-  Measure found{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), found.number);
-  if (read.ec != std::errc{}) return std::nullopt;
-  found.unit = core::trimmed(std::string_view(text).substr(static_cast<std::size_t>(read.ptr - text.data())));
-  if (found.unit.find_first_of(" ()\"',+=") != found.unit.npos) return std::nullopt;
-  return found;
+  const auto read = core::leading_number(text);
+  if (!read || read->rest.find_first_of(" ()\"',+=") != read->rest.npos) return std::nullopt;
+  return Measure{read->value, std::string(read->rest)};
 }
 
 std::string with_unit(const std::string& name, std::string unit) {

@@ -14,10 +14,6 @@ using core::Point;
 
 namespace {
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// Edges in a new order, loop by loop.
 struct Order {
   std::vector<Index> edges, loop_start{0};
@@ -66,7 +62,7 @@ double volume_cut(const Outline& outline, Index begin, Index end, core::Geometry
   double volume = 0;
   Point last = from;
   const auto go_to = [&](const Point& x) {
-    volume += 0.5 * cross(last - from, x - from) * core::depth(geometry, (from + last + x) / 3);
+    volume += 0.5 * core::cross(last - from, x - from) * core::depth(geometry, (from + last + x) / 3);
     last = x;
   };
   const auto [first, behind] = loop_of(outline, begin);

@@ -34,14 +34,14 @@ double length_of(const ViewEdge& edge) {
 int winding(const std::vector<ViewEdge>& edges, const Point& x, int coordinate, double sense) {
   const int other = 1 - coordinate;
   int count = 0;
-  const auto cross = [&](const Point& a, const Point& b) {
+  const auto count_crossing = [&](const Point& a, const Point& b) {
     if ((a[other] > x[other]) == (b[other] > x[other])) return;
     const double at = a[coordinate] + (x[other] - a[other]) / (b[other] - a[other]) * (b[coordinate] - a[coordinate]);
     if (sense * (at - x[coordinate]) > 0) count += (b[other] > a[other]) == ((coordinate == 0) == (sense > 0)) ? 1 : -1;
   };
   for (const ViewEdge& edge : edges) {
-    cross(edge.points[0], edge.points[2]);
-    cross(edge.points[2], edge.points[1]);
+    count_crossing(edge.points[0], edge.points[2]);
+    count_crossing(edge.points[2], edge.points[1]);
   }
   return count;
 }
@@ -54,10 +54,6 @@ bool is_in_air(const std::vector<ViewEdge>& edges, Index e, Point x) {
   return winding(edges, x, 0, 1) >= 0 || winding(edges, x, 1, 1) >= 0 || winding(edges, x, 1, -1) >= 0;
 }
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// Corners of the convex hull, anticlockwise (A. M. Andrew, Inf. Process. Lett. 9 (1979) 216-219).
 std::vector<Point> convex_hull(std::vector<Point> points) {
   std::sort(points.begin(), points.end(),
@@ -66,7 +62,7 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   const auto add_chain = [&](auto begin, auto end) {
     const std::size_t first = hull.size();
     for (auto x = begin; x != end; ++x) {
-      while (hull.size() > first + 1 && cross(hull.back() - hull[hull.size() - 2], *x - hull.back()) <= 0)
+      while (hull.size() > first + 1 && core::cross(hull.back() - hull[hull.size() - 2], *x - hull.back()) <= 0)
         hull.pop_back();
       hull.push_back(*x);
     }

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -16,6 +15,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
 #include "tools/report/data/run_names.hpp"
@@ -27,10 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 double number_of(std::string_view text) {
-  double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
-  return whole ? value : std::numeric_limits<double>::quiet_NaN();
+  return core::parse_number<double>(text).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /// The fields of a line; one in quotes may hold commas, and quotes twice.

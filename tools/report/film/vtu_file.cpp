@@ -14,10 +14,10 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <regex>
 
+#include "core/case/number.hpp"
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
 
@@ -98,12 +98,10 @@ std::vector<PvdEntry> read_pvd(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   const std::regex wanted("<DataSet timestep=\"([^\"]*)\"[^>]*file=\"([^\"]*)\"");
   for (auto match = std::sregex_iterator(text.begin(), text.end(), wanted); match != std::sregex_iterator(); ++match) {
-    const std::string number = (*match)[1].str();
-    double time = 0;
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), time);
+    const auto time = core::parse_number<double>((*match)[1].str());
     const fs::path file = fs::path(without_escapes((*match)[2].str())).lexically_normal();
-    if (read.ec != std::errc{} || file.empty() || file.is_absolute() || *file.begin() == "..") continue;
-    entries.push_back({time, (folder / file).string()});
+    if (!time || file.empty() || file.is_absolute() || *file.begin() == "..") continue;
+    entries.push_back({*time, (folder / file).string()});
   }
   return entries;
 }

@@ -14,10 +14,6 @@ namespace {
 using core::Point;
 using core::Segment;
 
-double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// From start to end, turning by an angle, positive to the left; a line where it leaves that by less than `straight`,
 /// m.
 Segment arc_of(const Point& start, const Point& end, double turn, double straight) {
@@ -47,8 +43,8 @@ Point joint(const CurvePoint& a, const CurvePoint& b) {
 /// Two arcs between places with unit tangents.
 std::array<Segment, 2> biarc(const CurvePoint& a, const CurvePoint& b, double straight) {
   const Point middle = joint(a, b), first = middle - a.x, second = b.x - middle;
-  return {arc_of(a.x, middle, 2 * std::atan2(cross(a.derivative, first), a.derivative.dot(first)), straight),
-          arc_of(middle, b.x, 2 * std::atan2(cross(second, b.derivative), second.dot(b.derivative)), straight)};
+  return {arc_of(a.x, middle, 2 * std::atan2(core::cross(a.derivative, first), a.derivative.dot(first)), straight),
+          arc_of(middle, b.x, 2 * std::atan2(core::cross(second, b.derivative), second.dot(b.derivative)), straight)};
 }
 
 /// With a unit tangent; where the derivative vanishes, that towards a place nearby.
@@ -81,7 +77,7 @@ struct Fit {
     constexpr int deepest = 14;
     constexpr double most = M_PI / 2;  // turned by a pair of arcs
     const CurvePoint a = with_tangent(curve, from, to), b = with_tangent(curve, to, from);
-    const double turn = std::abs(std::atan2(cross(a.derivative, b.derivative), a.derivative.dot(b.derivative)));
+    const double turn = std::abs(std::atan2(core::cross(a.derivative, b.derivative), a.derivative.dot(b.derivative)));
     const auto arcs = biarc(a, b, 1e-2 * tolerance);
     if (depth < deepest && (turn > most || !is_near(arcs, from, to))) {
       const double middle = 0.5 * (from + to);

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/case/case_error.hpp"
+#include "core/case/number.hpp"
 #include "core/case/units.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/scene/accuracy.hpp"
@@ -57,12 +58,10 @@ double read_size(const std::string& size, const std::string& unit, const std::st
     if (!parsed.problem.empty()) refuse_size(wanted, parsed.problem);
     value = parsed.value / known->second.size;
   } else {
-    char* end = nullptr;
-    value = std::strtod(size.c_str(), &end);
-    std::string rest = end;
-    rest.erase(std::remove(rest.begin(), rest.end(), ' '), rest.end());
-    if (end == size.c_str() || (!rest.empty() && rest != unit))
+    const auto read = core::leading_number(size);
+    if (!read || (!read->rest.empty() && read->rest != unit))
       refuse_size(wanted, fmt::format("but the unit of this quantity is {}", unit));
+    value = read->value;
   }
   if (!(value > 0)) refuse_size(wanted, "which is not above zero");
   return value;

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 
 #include "core/case/case_error.hpp"
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "core/case/text/case_text.hpp"
 #include "core/case/units.hpp"
 #include "forming/run/resume/case_change.hpp"
@@ -222,15 +222,11 @@ void add_variant_twins(const WhatIf& what_if, const std::string& label, const Sc
 
 /// A quantity as it is written, in SI, and its dimension; nothing where the text is none.
 std::optional<std::pair<double, core::Dimension>> measured(const std::string& text) {
-  constexpr double zero_celsius = 273.15;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const std::string unit(core::trimmed(end));
-  if (end == text.c_str()) return std::nullopt;
-  if (unit.empty()) return std::pair(value, core::dimension::none);
-  if (unit == "degC") return std::pair(value + zero_celsius, core::dimension::temperature);
-  const auto known = core::parse_unit(unit);
-  return known ? std::optional(std::pair(value * known->factor, known->dimension)) : std::nullopt;
+  const auto read = core::leading_number(text);
+  if (!read) return std::nullopt;
+  const auto unit = read->rest.empty() ? core::Unit{} : core::parse_unit(read->rest);
+  if (read->rest == "degC") return std::pair(read->value + core::zero_celsius, core::dimension::temperature);
+  return unit ? std::optional(std::pair(read->value * unit->factor, unit->dimension)) : std::nullopt;
 }
 
 /// Whether a value is the same, written otherwise.
@@ -320,7 +316,7 @@ std::vector<std::string> settled_replaced(const WhatIf& what_if, const WhatIfVar
       notes.push_back(fmt::format(
           "variant {}: the tool \"{}\" starts at {:.0f} degC all over, where the base has the temperatures that an "
           "earlier run or production has left in it; `parison cycle` with a change of cooling finds what it settles to",
-          variant.name, scene.tools[t].name, scene.tools[t].initial_temperature - 273.15));
+          variant.name, scene.tools[t].name, scene.tools[t].initial_temperature - core::zero_celsius));
   return notes;
 }
 

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <tuple>
 
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 #include "core/io/files.hpp"
 
 namespace parison::forming {
@@ -35,11 +35,7 @@ struct Table {
 
   /// NaN where the cell is no number.
   double number(std::size_t row, std::size_t column) const {
-    const std::string& cell = rows[row][column];
-    double value = std::numeric_limits<double>::quiet_NaN();
-    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    return read.ec == std::errc{} && read.ptr == cell.data() + cell.size() ? value
-                                                                           : std::numeric_limits<double>::quiet_NaN();
+    return core::parse_number<double>(rows[row][column]).value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
   /// NaN where nothing was measured, which an empty cell or "nan" says.

@@ -25,10 +25,6 @@ struct Corner {
 };
 using Outline = std::vector<Corner>;
 
-inline double cross(const Point& a, const Point& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// Counterclockwise around (40, 50) mm; every second side is an arc.
 inline Outline random_outline(std::mt19937& random, bool with_arcs = true) {
   std::uniform_real_distribution<double> part(0, 1);
@@ -54,7 +50,7 @@ inline double area_of(const Outline& outline) {
   double area = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Point &a = outline[i].x, &b = outline[(i + 1) % outline.size()].x;
-    area += 0.5 * cross(a, b) + area_of_arc(a, b, outline[i].bulge);
+    area += 0.5 * core::cross(a, b) + area_of_arc(a, b, outline[i].bulge);
   }
   return area;
 }
@@ -68,10 +64,10 @@ double area_of_curve(const Curve& curve) {
   const Point first = last;
   for (int i = 1; i <= parts; ++i) {
     const Point middle = curve((i - 0.5) / parts), next = curve(double(i) / parts);
-    area += (2 * (cross(last, middle) + cross(middle, next)) - 0.5 * cross(last, next)) / 3;
+    area += (2 * (core::cross(last, middle) + core::cross(middle, next)) - 0.5 * core::cross(last, next)) / 3;
     last = next;
   }
-  return area - 0.5 * cross(first, last);
+  return area - 0.5 * core::cross(first, last);
 }
 
 /// The area that a drawing of these keys encloses, mm2; a sentence where it is refused.

@@ -4,11 +4,11 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "core/case/given_file.hpp"
+#include "core/case/number.hpp"
 
 namespace parison::forming {
 namespace {
@@ -19,11 +19,7 @@ constexpr std::size_t max_groups = 200'000;  // of one entity
 template <typename Number>
 std::optional<Number> parse(std::string_view text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  Number value{};
-  const auto end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  if (read.ec != std::errc{} || read.ptr != end) return {};
-  return value;
+  return core::parse_number<Number>(text);
 }
 
 /// The next group; nothing at the end of the text.
