@@ -112,7 +112,8 @@ void require_heat(const Scene& scene, const MachineCycle& cycle, const WantedToo
       "--want {}: {:.4g} degC was found, which no cooling gives: in the {:.4g} s of its cycle without glass, at {:.0f} "
       "degC or more, its surface loses {:.3g} kJ to the air and the glass of a container has {:.3g} kJ; allowed are a "
       "lower temperature or a shorter cycle",
-      wanted.name, wanted.temperature - zero_celsius, free, temperature - zero_celsius, lost * 1e-3, given * 1e-3));
+      wanted.name, wanted.temperature - core::zero_celsius, free, temperature - core::zero_celsius, lost * 1e-3,
+      given * 1e-3));
 }
 
 double largest_h(const Tool& tool) {
