@@ -129,6 +129,55 @@ TEST(Landing, of_a_blown_tube_goes_on_by_less_than_three_edges_in_a_step) {
   EXPECT_GT(free, 2 * controlled);
 }
 
+/// A disc that is held at its top lands on a table that rises, a cone so flat that it meets nearly all of it at once.
+const std::string landing_disc = R"(case = "landing"
+geometry = "axisymmetric"
+[[stage]]
+name = "land"
+duration = "0.1 s"
+tools = ["table"]
+motion.table = { offset = [["0 s", "-0.1 mm"], ["0.1 s", "0.1 mm"]] }
+[numerics]
+landing_per_step = 1000
+[material.liquid]
+density = "2400 kg/m3"
+viscosity = { law = "constant", value = "1e4 Pa.s" }
+[material.iron]
+density = "7200 kg/m3"
+[[tool]]
+name = "table"
+material = "iron"
+friction = "slip"
+boundary = [{ name = "face", condition = "contact", path = "(40, 0.04) (0, 0) mm" },
+            { name = "axis", condition = "symmetry", path = "(0, -20) mm" },
+            { name = "rest", condition = "insulated", path = "(40, -20) mm" }]
+[glass]
+material = "liquid"
+boundary = [BOUNDARIES]
+)";
+
+TEST(Landing, across_the_start_of_the_outline_is_one_front) {
+  const auto longest = [](const std::string& boundaries) {
+    Fronts fronts;
+    const RunOutcome outcome = run(scene_of(replaced("BOUNDARIES", boundaries, landing_disc), "draft"), {&fronts});
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    return fronts.longest;
+  };
+  const std::string
+      inner = "{ name = \"inner\", condition = \"contact\", path = \"",
+      end = " mm\" }",
+      others =
+          "{ name = \"side\", condition = \"air\", path = \"(10, 4) mm\" }, { name = \"top\", condition = "
+          "\"fixed\", path = \"(0, 4) mm\" }, { name = \"axis\", condition = \"symmetry\", path = "
+          "\"(0, 0) mm\" }",
+      outer = "{ name = \"outer\", condition = \"contact\", path = \"";
+  const double from_axis = longest(inner + "(0, 0) (5, 0)" + end + ", " + outer + "(10, 0)" + end + ", " + others);
+  const double from_middle = longest(outer + "(5, 0) (10, 0)" + end + ", " + others + ", " + inner + "(5, 0)" + end);
+  std::printf("longest front: %.3f mm, %.3f mm where the outline starts in it\n", 1e3 * from_axis, 1e3 * from_middle);
+  EXPECT_GT(from_axis, 5e-3);
+  EXPECT_NEAR(from_middle / from_axis, 1, 0.05);
+}
+
 /// A capped tube that hangs or stands in a ring that is drawn on its side.
 const std::string held_tube = R"(case = "held_tube"
 geometry = "axisymmetric"
