@@ -78,11 +78,11 @@ double lowest(const Scene& scene, const Interface& interface) {
 /// while the tool is active.
 thermal::SkinHistory contact_history(const Scene& scene, const Interface& interface, double other, Index last_stage) {
   thermal::SkinHistory history;
-  const double h = contact::highest(interface.law);
+  const double swabbing = scene.tools[interface.tool].swabbing, h = swabbing * contact::highest(interface.law);
   for (Index s = 0; s <= last_stage; ++s) {
     const Stage& stage = scene.stages[s];
     if (is_active(stage, interface.tool))
-      add_pressed_intervals(stage, {h, other}, lowest(scene, interface), history);
+      add_pressed_intervals(stage, {h, other}, swabbing * lowest(scene, interface), history);
     else
       add_interval(history, {stage.duration, {0, other}, {0, other}});
   }
