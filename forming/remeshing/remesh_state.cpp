@@ -10,7 +10,6 @@
 
 #include "contact/unilateral/tool_gap.hpp"
 #include "core/mesh/tolerances.hpp"
-#include "forming/flow/contact/grip.hpp"
 #include "forming/remeshing/mesh_smoothing.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_criteria.hpp"
@@ -58,9 +57,9 @@ std::vector<Index> carried_contact(const Scene& scene, const State& old, const s
     const auto contact = contact_boundaries(body);
     const Point local = x - old.tools[tool].offset * core::axis_direction();
     const double reach = scene.tools[tool].friction.law == flow::Friction::Law::grip
-                             ? flow::depth_of_form
-                             : core::tolerance::contact_after_remesh;
-    if (contact::signed_gap(body.profile, contact, local) < reach * core::size(scene.glass.profile)) tools[node] = tool;
+                             ? depth_of_form(scene)
+                             : core::tolerance::contact_after_remesh * core::size(scene.glass.profile);
+    if (contact::signed_gap(body.profile, contact, local) < reach) tools[node] = tool;
   }
   return tools;
 }

@@ -199,7 +199,7 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
   // A middle is not held where the end of its edge has left the tool so far that the edge between would enter it.
   const bool peels = bound.clearance > placed.resting && !bound.lies_over;
   const double closed = std::max(bound.clearance, clearance) + placed.at_tool;
-  const double holds = driven[tool] ? closed : std::max(closed, flow::depth_of_form * core::size(scene.glass.profile));
+  const double holds = driven[tool] ? closed : std::max(closed, depth_of_form(scene));
   const bool tied = (drawn_on || (touched && !peels && gap <= holds)) && grips;
   // Only a node that penetrates at the step's start may still penetrate at its end. The depth is measured anew there,
   // because next to a corner the linearised gap can be negative for a node that is outside; but a wall that is extended
@@ -216,6 +216,10 @@ flow::ContactCandidate candidate_of(const StepPath& step, Index node, const Boun
 }
 
 }  // namespace
+
+double depth_of_form(const Scene& scene) {
+  return flow::depth_of_form * core::size(scene.glass.profile);
+}
 
 std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
                                                        const Eigen::VectorXd& velocity, double dt) {

@@ -20,6 +20,9 @@ std::vector<flow::ToolMotion> tool_motions(const Scene& scene, const State& stat
 std::vector<flow::ContactCandidate> contact_candidates(const Scene& scene, const State& state,
                                                        const Eigen::VectorXd& velocity, double dt);
 
+/// Gap up to which a tool that grips holds glass by its form, m.
+double depth_of_form(const Scene& scene);
+
 /// Nodes on the contact boundaries of the glass, each once.
 std::vector<Index> contact_nodes(const core::Mesh& glass);
 

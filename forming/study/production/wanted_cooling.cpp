@@ -16,8 +16,6 @@
 #include "forming/study/production/machine_cycle.hpp"
 #include "forming/study/production/surface_range.hpp"
 #include "forming/study/production/tool_fields.hpp"
-#include "thermal/properties.hpp"
-#include "thermal/radiation/planck.hpp"
 
 namespace parison::forming {
 namespace {
