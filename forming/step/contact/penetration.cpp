@@ -217,8 +217,11 @@ void note_penetration(const Scene& scene, State& state) {
 
 std::string place_of_penetration(const Scene& scene, double depth, const PenetrationPlace& place) {
   if (place.tool < 0) return "";
+  const auto hundredths = [](double metres) {
+    return std::round(1e5 * metres) / 100 + 0.0;
+  };  // mm, no zero with a sign
   return fmt::format("the deepest, {:.3g} mm, in {} at (r, z) = ({:.2f}, {:.2f}) mm after {:.4g} s", 1e3 * depth,
-                     scene.tools[place.tool].name, 1e3 * place.r, 1e3 * place.z, place.time);
+                     scene.tools[place.tool].name, hundredths(place.r), hundredths(place.z), place.time);
 }
 
 std::string entered_face_sentence(const Scene& scene, const State& state) {
