@@ -148,6 +148,7 @@ density = "7200 kg/m3"
 name = "table"
 material = "iron"
 friction = "slip"
+position = "-0.1 mm"
 boundary = [{ name = "face", condition = "contact", path = "(40, 0.04) (0, 0) mm" },
             { name = "axis", condition = "symmetry", path = "(0, -20) mm" },
             { name = "rest", condition = "insulated", path = "(40, -20) mm" }]
