@@ -7,6 +7,7 @@
 
 #include "core/mesh/tolerances.hpp"
 #include "forming/flow/contact/grip.hpp"
+#include "forming/flow/contact/wedged_corner.hpp"
 
 namespace parison::flow {
 
@@ -106,12 +107,9 @@ namespace {
 /// Shear stress over slip at a node that a tool holds by friction, Pa.s/m.
 double drag(const Problem& problem, const NodeConstraint& constraint) {
   const Index node = constraint.node;
-  const double temperature = (*problem.temperature)[node];
-  if (constraint.give > 0)
-    return constraint.give * (problem.viscosity ? problem.viscosity(problem.mesh->nodes[node])
-                                                : problem.material->viscosity(temperature));
+  if (constraint.give > 0) return constraint.give * viscosity_at(problem, node);
   const Friction& friction = problem.tools[constraint.friction_tool].friction;
-  return friction.by_temperature ? friction.coefficient_at(temperature) : friction.coefficient;
+  return friction.by_temperature ? friction.coefficient_at((*problem.temperature)[node]) : friction.coefficient;
 }
 
 }  // namespace

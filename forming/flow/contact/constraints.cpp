@@ -65,8 +65,8 @@ NodeEquality sticking(const Problem& problem, const ContactCandidate& candidate)
   return side;
 }
 
-/// Local basis and prescribed velocity of a node with the given equalities. One equality: the basis is its normal and
-/// tangent; two: the basis is Cartesian and the whole velocity is prescribed.
+/// Local basis and prescribed velocity of a node with the given equalities, `held` where a tool holds it by its form.
+/// One equality: the basis is its normal and tangent; two: the basis is Cartesian and the whole velocity is prescribed.
 NodeConstraint make_node_constraint(const Problem& problem, Index node, const NodeEqualities& equalities,
                                     const std::vector<Index>& driven, const std::vector<WedgedCorner>& corners) {
   NodeConstraint result;
@@ -111,7 +111,7 @@ NodeConstraint make_node_constraint(const Problem& problem, Index node, const No
 
 bool sticks(const Problem& problem, const ContactCandidate& candidate) {
   const auto law = problem.tools[candidate.tool].friction.law;
-  return law == Friction::Law::stick || law == Friction::Law::grip;
+  return law == Friction::Law::stick || (law == Friction::Law::grip && !held_by_form(problem, candidate));
 }
 
 std::vector<Index> driven_tools(const Problem& problem) {

@@ -62,7 +62,8 @@ inline Point perpendicular(const Point& normal) {
   return {-normal[1], normal[0]};
 }
 
-/// Whether an active contact prevents slip along the tool, but beside a corner (wedged_corner.hpp).
+/// Whether an active contact prevents slip along the tool, but beside a corner (wedged_corner.hpp). A tool that holds
+/// glass by its form drags it instead (grip.hpp).
 bool sticks(const Problem& problem, const ContactCandidate& candidate);
 
 /// Tools whose velocity is an unknown, as indices into Problem::tools.

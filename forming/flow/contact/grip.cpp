@@ -2,6 +2,7 @@
 #include "forming/flow/contact/grip.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "forming/flow/contact/wedged_corner.hpp"
@@ -12,16 +13,18 @@ using core::dim;
 
 namespace {
 
-/// Places at which the glass may touch two tools that move against each other.
-std::vector<Point> wedges(const Problem& problem) {
-  std::vector<Point> places;
+/// The corners in which the glass may touch two tools that move against each other, along both.
+std::vector<WedgedCorner> possible_wedges(const Problem& problem) {
+  std::vector<WedgedCorner> corners;
+  const double length = give_way_share * core::size(*problem.mesh);
   for (std::size_t i = 1; i < problem.candidates.size(); ++i) {
     const ContactCandidate &a = problem.candidates[i - 1], &b = problem.candidates[i];
     const ToolMotion &first = problem.tools[a.tool], &second = problem.tools[b.tool];
     const bool together = a.tool == b.tool || (!first.force && !second.force && first.velocity == second.velocity);
-    if (a.node == b.node && !together) places.push_back(problem.mesh->nodes[a.node]);
+    if (a.node != b.node || together) continue;
+    for (const Index tool : {a.tool, b.tool}) corners.push_back({problem.mesh->nodes[a.node], tool, length});
   }
-  return places;
+  return corners;
 }
 
 }  // namespace
@@ -34,19 +37,18 @@ bool held_by_form(const Problem& problem, const ContactCandidate& candidate) {
 Eigen::VectorXd grip_resistance(const Problem& problem, const std::vector<SurfaceEdge>& surface) {
   const core::Mesh& mesh = *problem.mesh;
   std::vector<bool> held(mesh.nodes.size(), false);
-  const double beside = give_way_share * core::size(mesh);
-  const std::vector<Point> corners = wedges(problem);
-  for (const ContactCandidate& candidate : problem.candidates)
-    held[candidate.node] = held[candidate.node] || (held_by_form(problem, candidate) &&
-                                                    std::none_of(corners.begin(), corners.end(), [&](const Point& x) {
-                                                      return (x - mesh.nodes[candidate.node]).norm() < beside;
-                                                    }));
+  Eigen::VectorXd drag = Eigen::VectorXd::Zero(mesh.node_count());
+  const std::vector<WedgedCorner> corners = possible_wedges(problem);
+  for (const ContactCandidate& candidate : problem.candidates) {
+    if (!held_by_form(problem, candidate)) continue;
+    const Index node = candidate.node;
+    const double give = give_way(problem, node, candidate.tool, corners);
+    const double here = std::isinf(give) ? grip_drag : std::min(grip_drag, give * viscosity_at(problem, node));
+    drag[node] = std::max(drag[node], here);
+    held[node] = true;
+  }
   if (std::find(held.begin(), held.end(), true) == held.end()) return {};
-  const Eigen::VectorXd area = contact_areas(mesh, surface, held);
-  Eigen::VectorXd resistance = Eigen::VectorXd::Zero(mesh.node_count());
-  for (Index n = 0; n < mesh.node_count(); ++n)
-    if (held[n]) resistance[n] = grip_drag * area[n];
-  return resistance;
+  return drag.cwiseProduct(contact_areas(mesh, surface, held));
 }
 
 void add_grips(const core::Mesh& mesh, const Eigen::VectorXd& resistance, CellMatrices& cells) {

@@ -6,8 +6,11 @@
 namespace parison::flow {
 
 // A tool of given velocity that grips (Friction::Law::grip) holds tied glass by its form, as the threads of a ring hold
-// a finish: glass that presses on it sticks, glass that is pulled off comes off slowly and is dragged along. So glass
-// that shrinks as it cools leaves the tool. What else is tied, to a tool driven by its force, does not come off.
+// a finish: it drags the glass along, and what is pulled off comes off slowly. So glass that shrinks as it cools leaves
+// the tool. The drag is the same whether the glass presses or not: the force then grows with every motion against it,
+// and one state is in balance. With glass that sticks where it presses and is free where it does not, cold glass
+// between two tools closes and opens by turns, with forces of its viscosity. What else is tied, to a tool driven by its
+// force, does not come off.
 
 /// Traction over velocity with which such a tool holds glass, Pa.s/m, assumed: the weight of a container, some 100 Pa
 /// on its finish, creeps by micrometres in ten seconds; cold glass that shrinks off at 0.1 mm/s meets 0.1 MPa.
@@ -21,7 +24,7 @@ inline constexpr double depth_of_form = 1.5e-2;
 bool held_by_form(const Problem& problem, const ContactCandidate& candidate);
 
 /// Resistance of each node to motion against the tool that holds it by its form, N.s/m; empty where none is held.
-/// Beside a corner into which another tool wedges the glass nothing is held (wedged_corner.hpp).
+/// Beside a corner in which the glass may be wedged along the tool it gives way as there (wedged_corner.hpp).
 Eigen::VectorXd grip_resistance(const Problem& problem, const std::vector<SurfaceEdge>& surface);
 
 /// Adds these resistances to the matrices of the cells.

@@ -45,4 +45,9 @@ double give_way(const Problem& problem, Index node, Index tool, const std::vecto
   return nearest < 1 ? nearest / (1 - nearest) / length : std::numeric_limits<double>::infinity();
 }
 
+double viscosity_at(const Problem& problem, Index node) {
+  return problem.viscosity ? problem.viscosity(problem.mesh->nodes[node])
+                           : problem.material->viscosity((*problem.temperature)[node]);
+}
+
 }  // namespace parison::flow

@@ -29,4 +29,7 @@ void add_wedged_corners(const Problem& problem, Index node, const NodeEqualities
 /// infinite where it does not.
 double give_way(const Problem& problem, Index node, Index tool, const std::vector<WedgedCorner>& corners);
 
+/// Viscosity of the glass at a node without shear thinning, Pa.s.
+double viscosity_at(const Problem& problem, Index node);
+
 }  // namespace parison::flow
