@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`parison watch` as a process, and what its server answers."""
+"""`parison report --live` as a process, and what its server answers."""
 import http.client
 import re
 import subprocess
@@ -17,7 +17,7 @@ def until(is_so, seconds=20):
 
 class Watch:
     def __init__(self, parison, folder, port=None):
-        words = [parison, "watch", str(folder), *(["--port", str(port)] if port else [])]
+        words = [parison, "report", str(folder), "--live", *(["--port", str(port)] if port else [])]
         self.process = subprocess.Popen(words, stdout=subprocess.PIPE, text=True)
         self.port = int(re.search(r"http://127\.0\.0\.1:(\d+)/", self.process.stdout.readline())[1])
 

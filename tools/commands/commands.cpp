@@ -46,26 +46,29 @@ void add_camera(CLI::App& app, Command& chosen) {
   command->add_option("--output", request->output, "name of the files without ending [camera in the folder]");
 }
 
+int report_given(const LiveReportRequest& request) {
+  return request.live ? watch(request) : report(request);
+}
+
 void add_report(CLI::App& app, Command& chosen) {
-  const auto request = std::make_shared<ReportRequest>();
-  auto* command =
-      add_command(app, "report", "write one HTML page on the runs of some result folders", chosen, request, report);
+  const auto request = std::make_shared<LiveReportRequest>();
+  auto* command = add_command(app, "report", "write one HTML page on the runs of some result folders, or show it live",
+                              chosen, request, report_given);
   command
       ->add_option("results", request->folders,
                    "folders with the results of runs, shown over each other; of a what-if or a cycle its runs")
       ->required();
-  command->add_option("--output", request->output, "HTML file for the page [report.html in the first folder]");
-}
-
-void add_watch(CLI::App& app, Command& chosen) {
-  const auto request = std::make_shared<WatchRequest>();
-  auto* command = add_command(app, "watch", "show that page in a browser on this machine while a run goes on", chosen,
-                              request, watch);
-  command->add_option("results", request->folder, "folder with the results of a run, also one that is still to come")
-      ->required();
-  command->add_option("--port", request->port, "port of the page, or the next free one")
+  auto* output =
+      command->add_option("--output", request->output, "HTML file for the page [report.html in the first folder]");
+  auto* live = command
+                   ->add_flag("--live", request->live,
+                              "show the page of one folder, also of one that is still to come, in a browser on this "
+                              "machine while a run goes on")
+                   ->excludes(output);
+  command->add_option("--port", request->port, "port of the live page, or the next free one")
       ->capture_default_str()
-      ->check(CLI::Range(1024, 65535));
+      ->check(CLI::Range(1024, 65535))
+      ->needs(live);
 }
 
 void add_cases(CLI::App& app, Command& chosen) {
@@ -93,7 +96,6 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_export(app, chosen);
   add_camera(app, chosen);
   add_report(app, chosen);
-  add_watch(app, chosen);
   add_cases(app, chosen);
   add_materials(app, chosen);
 }
@@ -105,6 +107,10 @@ void check_command(const CLI::App& app, int argc, const char* const* argv) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  for (const auto& [old, now] : {std::pair{"audit", "tradeoff CASE --parts"},
+                                 {"fit-law", "calibrate --law DATA.csv"},
+                                 {"watch", "report DIR --live"}})
+    if (word == old) throw core::CaseError(fmt::format("parison: \"{}\" is now `parison {}`", word, now));
   throw core::CaseError(fmt::format("parison: no command \"{}\" was found{}, allowed are {}", word,
                                     core::did_you_mean(word, names), fmt::join(names, ", ")));
 }

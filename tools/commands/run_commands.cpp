@@ -5,7 +5,6 @@
 #include "tools/commands/command_options.hpp"
 #include "tools/commands/new_case.hpp"
 #include "tools/commands/run/run_command.hpp"
-#include "tools/commands/study/audit.hpp"
 #include "tools/commands/study/cycle.hpp"
 
 namespace parison::tools {
@@ -69,15 +68,6 @@ void add_new(CLI::App& app, Command& chosen) {
   command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
 }
 
-void add_audit(CLI::App& app, Command& chosen) {
-  const auto request = std::make_shared<AuditRequest>();
-  auto* command = add_command(app, "audit", "run a case coarsely with each part of its model in and out", chosen,
-                              request, with_keys_once<AuditRequest, audit>);
-  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
-  command->add_option("--accuracy", request->accuracy, "of all runs; coarse ones take seconds")->capture_default_str();
-  command->add_option("--set", request->overrides, "KEY=VALUE for every run")->take_all()->allow_extra_args(false);
-}
-
 void add_cycle(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<CycleRequest>();
   auto* command = add_command(app, "cycle", "find the tool temperatures to which production settles, and its container",
@@ -133,7 +123,6 @@ void add_run_commands(CLI::App& app, Command& chosen) {
   add_resume(app, chosen);
   add_check(app, chosen);
   add_new(app, chosen);
-  add_audit(app, chosen);
   add_cycle(app, chosen);
 }
 

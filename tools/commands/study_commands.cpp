@@ -7,7 +7,6 @@
 #include "core/case/case_error.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
 #include "tools/commands/command_options.hpp"
-#include "tools/commands/study/fit_law.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/search/calibrate.hpp"
 #include "tools/search/optimise.hpp"
@@ -18,20 +17,46 @@
 namespace parison::tools {
 namespace {
 
+/// Lets an option that chooses another kind of work stand beside those named alone.
+void keep_alone(CLI::App& command, CLI::Option& option, const std::vector<std::string>& beside) {
+  const auto is_excluded = [&](const CLI::Option* other) {
+    return other != &option && other != command.get_help_ptr() &&
+           std::none_of(beside.begin(), beside.end(), [&](const std::string& name) { return other->check_name(name); });
+  };
+  for (CLI::Option* other : command.get_options(is_excluded)) option.excludes(other);
+}
+
+int trade_given(const TradeoffRequest& given) {
+  TradeoffRequest request = given;
+  if (request.base.empty()) request.base = request.parts ? "draft coarser 2" : "draft";
+  require_keys_once(request.case_path, {}, request.overrides);
+  return request.parts ? model_parts(request) : tradeoff(request);
+}
+
+int calibrate_given(const CalibrateRequest& request) {
+  if (!request.law.empty()) return calibrate_law(request);
+  for (const auto& [name, is_missing] : {std::pair{"case", request.case_path.empty()},
+                                         {"data", request.data.empty()},
+                                         {"--vary", request.varied.empty()}})
+    if (is_missing) throw CLI::RequiredError(name);
+  require_keys_once(request.case_path, {}, request.overrides);
+  return calibrate(request);
+}
+
 void add_tradeoff(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<TradeoffRequest>();
   TradeoffRequest& trade = *request;
   auto* command =
       add_command(app, "tradeoff", "run a convergence study of settings and model parts: error against CPU time",
-                  chosen, request, with_keys_once<TradeoffRequest, tradeoff>);
+                  chosen, request, trade_given);
   command->add_option("case", trade.case_path, what_a_case_is)->required()->transform(case_of);
   command->add_option("--output", trade.output,
                       "folder of the study; variants that have run there are not run again [results/tradeoff_NAME]");
   command->add_option("--reference", trade.reference,
                       "accuracy of the reference that the others are compared with [fine; \"fine coarser 0.5\" where "
                       "the case maps its mesh]");
-  command->add_option("--base", trade.base, "accuracy at which one setting at a time is changed")
-      ->capture_default_str();
+  command->add_option("--base", trade.base,
+                      "accuracy at which one setting at a time is changed [draft; with --parts draft coarser 2]");
   command->add_option("--study", trade.study, "TOML file of [[variant]] tables that replaces the standard study");
   command->add_option("--only", trade.groups, "groups to run: accuracy, mesh, time, coupling, order, model")
       ->delimiter(',');
@@ -43,6 +68,9 @@ void add_tradeoff(CLI::App& app, Command& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   command->add_flag("--list", trade.list, "name the variants and run none");
+  auto* parts = command->add_flag("--parts", trade.parts,
+                                  "in seconds, and without files: what each part of the model changes, and the noise");
+  keep_alone(*command, *parts, {"case", "--base", "--set"});
 }
 
 void add_compare(CLI::App& app, Command& chosen) {
@@ -150,16 +178,13 @@ void add_optimise(CLI::App& app, Command& chosen) {
 
 void add_calibrate(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<CalibrateRequest>();
-  auto* command =
-      add_command(app, "calibrate", "fit constants of a case to measured temperatures, strokes, forces and walls",
-                  chosen, request, with_keys_once<CalibrateRequest, calibrate>);
-  command->add_option("case", request->case_path, what_a_case_is)->required()->transform(case_of);
-  command
-      ->add_option("data", request->data,
-                   "CSV files: time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N; thickness_mm and arc_mm or z_mm")
-      ->required();
+  auto* command = add_command(app, "calibrate", "fit constants of a case, or a contact law alone, to measurements",
+                              chosen, request, calibrate_given);
+  command->add_option("case", request->case_path, what_a_case_is)->transform(case_of);
+  command->add_option(
+      "data", request->data,
+      "CSV files: time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N; thickness_mm and arc_mm or z_mm");
   command->add_option("--vary", request->varied, "\"KEY=FROM to TO\": a constant and its bounds; may be repeated")
-      ->required()
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--temperature-noise", request->temperature_noise, "standard deviation of the thermocouples")
@@ -179,6 +204,18 @@ void add_calibrate(CLI::App& app, Command& chosen) {
                       "folder of the runs; those already there are used [results/calibrate_DATA]");
   command->add_option("--jobs", request->jobs, "runs at once, one thread each [as many as there are cores]")
       ->check(CLI::Range(1, 1024));
+  auto* law = command->add_option("--law", request->law,
+                                  "CSV file: p and h, or q, T_glass and T_tool; eta, or T_glass with the glass of the "
+                                  "case: fit the pressure-viscosity law to it alone");
+  keep_alone(*command, *law, {"case"});
+  command->add_option("--fix", request->fixed, "NAME=VALUE: a constant of the law not to fit [p_ref=\"0.2 MPa\"]")
+      ->needs(law)
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      ->add_flag("--relative", request->relative,
+                 "weigh residuals of the law as shares: for scatter that grows with the value")
+      ->needs(law);
 }
 
 void add_uncertainty(CLI::App& app, Command& chosen) {
@@ -201,20 +238,6 @@ void add_uncertainty(CLI::App& app, Command& chosen) {
   command->add_flag("--list", request->list, "read and check all runs, print them and run none");
 }
 
-void add_fit_law(CLI::App& app, Command& chosen) {
-  const auto request = std::make_shared<FitLawRequest>();
-  auto* command =
-      add_command(app, "fit-law", "fit the pressure-viscosity law to measurements", chosen, request, fit_law);
-  command->add_option("data", request->data, "CSV file: p and h, or q, T_glass and T_tool; eta or T_glass")->required();
-  command->add_option("--fix", request->fixed, "NAME=VALUE: do not fit this constant [p_ref=\"0.2 MPa\"]")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_option("--case", request->case_path, "case whose glass gives the viscosity at T_glass")
-      ->transform(case_of);
-  command->add_flag("--relative", request->relative,
-                    "weigh residuals as shares: for scatter that grows with the value");
-}
-
 }  // namespace
 
 void add_study_commands(CLI::App& app, Command& chosen) {
@@ -225,7 +248,6 @@ void add_study_commands(CLI::App& app, Command& chosen) {
   add_optimise(app, chosen);
   add_calibrate(app, chosen);
   add_uncertainty(app, chosen);
-  add_fit_law(app, chosen);
 }
 
 }  // namespace parison::tools

@@ -119,27 +119,29 @@ Tcp::acceptor listen(asio::io_context& context, int port) {
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (!error) return acceptor;
   }
-  throw core::RunError(fmt::format("watch: ports {} to {} are taken, give another one with --port", port,
+  throw core::RunError(fmt::format("--live: ports {} to {} are taken, give another one with --port", port,
                                    std::min(port + tried_ports, 65536) - 1));
 }
 
 }  // namespace
 
-int watch(const WatchRequest& request) {
+int watch(const LiveReportRequest& request) {
+  if (request.folders.size() != 1)
+    throw core::CaseError(fmt::format("--live: {} folders were found, allowed is one", request.folders.size()));
+  const std::string& given = request.folders.front();
   std::error_code error;
-  const auto found = std::filesystem::status(request.folder, error).type();
+  const auto found = std::filesystem::status(given, error).type();
   if (found != std::filesystem::file_type::not_found && found != std::filesystem::file_type::directory)
-    throw core::CaseError(fmt::format(
-        "{}: is no folder, allowed is the result folder of a run, also one that is still to come", request.folder));
-  if (const std::string runs = run_folders_hint(request.folder); !runs.empty())
     throw core::CaseError(
-        fmt::format("{}: is the folder of several runs, allowed is that of one; {}", request.folder, runs));
-  WatchedFolder folder(request.folder);
-  const std::string page = page_text(request.folder, "null");
+        fmt::format("{}: is no folder, allowed is the result folder of a run, also one that is still to come", given));
+  if (const std::string runs = run_folders_hint(given); !runs.empty())
+    throw core::CaseError(fmt::format("{}: is the folder of several runs, allowed is that of one; {}", given, runs));
+  WatchedFolder folder(given);
+  const std::string page = page_text(given, "null");
   asio::io_context context(1);
   Tcp::acceptor acceptor = listen(context, request.port);
   accept(acceptor, folder, page);
-  fmt::print("{} at http://127.0.0.1:{}/ on this machine only, until Ctrl-C\n", request.folder,
+  fmt::print("{} at http://127.0.0.1:{}/ on this machine only, until Ctrl-C\n", given,
              acceptor.local_endpoint().port());
   std::fflush(stdout);
   catch_signals();

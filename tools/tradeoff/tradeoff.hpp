@@ -8,15 +8,20 @@ namespace parison::tools {
 /// What `parison tradeoff` is asked for.
 struct TradeoffRequest {
   std::string case_path, output, study;
-  std::string base = "draft";
+  std::string base;                            ///< accuracy at which one setting at a time is changed
   std::string reference;                       ///< empty: that of forming::usual_reference
   std::vector<std::string> overrides, groups;  ///< for every variant; the groups to run, all where none is named
   int jobs = 2;
-  int timings = 3;    ///< runs of a short variant, of which the least CPU time counts
-  bool list = false;  ///< names the variants and runs none
+  int timings = 3;     ///< runs of a short variant, of which the least CPU time counts
+  bool list = false;   ///< names the variants and runs none
+  bool parts = false;  ///< model_parts in place of the study
 };
 
 /// Runs the study of a case in a folder, without what has run before, and writes its results. Returns the exit code.
 int tradeoff(const TradeoffRequest& request);
+
+/// Runs a case with each part of its model in and out, all at the base accuracy and without files, and prints what each
+/// part changes and the noise. Returns the exit code.
+int model_parts(const TradeoffRequest& request);
 
 }  // namespace parison::tools

@@ -217,7 +217,8 @@ std::string describe_sensitivity(const Scene& scene) {
   const auto parts = model_sensitivity(scene);
   if (parts.empty()) return {};
   std::string text =
-      "\nparts of the model with the number that governs each (`parison audit CASE` runs the case with and without "
+      "\nparts of the model with the number that governs each (`parison tradeoff CASE --parts` runs the case with and "
+      "without "
       "each)\n";
   for (const PartSensitivity& part : parts)
     text += fmt::format("  {:<20}{:<11}{} {:.2g}\n", part.name, part.in_scene ? "in" : "neglected", part.number_name,

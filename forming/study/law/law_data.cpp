@@ -85,7 +85,7 @@ void require_columns(const CaseNode& at, const std::vector<Column>& columns, boo
     core::refuse(at, "the column eta is missing, or T_glass with a case that names a viscosity");
   if (!has("eta") && !with_viscosity)
     core::refuse(
-        at, "the column eta is missing; to use T_glass instead give a case whose glass has a viscosity: --case CASE");
+        at, "the column eta is missing; to use T_glass instead give a case whose glass has a viscosity before --law");
 }
 
 Row read_row(const CaseNode& at, const std::string& line, const std::vector<Column>& columns) {

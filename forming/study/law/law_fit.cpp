@@ -82,11 +82,11 @@ bool fix_negative_exponent(const Law& found, LawFitOptions& options, std::vector
 void require_data(const std::vector<LawMeasurement>& data, const LawUnknowns& unknowns, bool relative) {
   if (data.size() <= unknowns.free.size())
     throw core::CaseError(fmt::format(
-        "fit-law: {} rows were found, allowed are at least {} for {} free constants (fewer with --fix NAME=VALUE)",
+        "--law: {} rows were found, allowed are at least {} for {} free constants (fewer with --fix NAME=VALUE)",
         data.size(), unknowns.free.size() + 1, unknowns.free.size()));
   if (relative && std::any_of(data.begin(), data.end(), [](const auto& row) { return row.value * row.drive == 0; }))
     throw core::CaseError(
-        "fit-law: a value or a difference of temperature of zero was found, allowed with --relative are "
+        "--law: a value or a difference of temperature of zero was found, allowed with --relative are "
         "others");
 }
 
@@ -126,7 +126,7 @@ LawFit fit_law(const std::vector<LawMeasurement>& data, const LawFitOptions& giv
     require_data(data, unknowns, options.relative);
     const LawOptimum optimum = find_optimum(data, options, unknowns);
     if (!std::isfinite(optimum.squares))
-      throw core::CaseError("fit-law: no constants of the law give finite values for these data");
+      throw core::CaseError("--law: no constants of the law give finite values for these data");
     fit.law = unknowns.law(optimum.x);
     if (fix_negative_exponent(fit.law, options, fit.warnings)) continue;
     fit.freedom = static_cast<int>(data.size() - unknowns.free.size());

@@ -67,7 +67,7 @@ TEST(Accuracy, parts_that_a_case_switches_off_are_called_neglected) {
   const std::string text = describe_sensitivity(bundled("jar", "draft", slip));
   for (const char* name : {"thin-wall limit", "friction on tools", "cooling by air"})
     EXPECT_NE(text.find(fmt::format("  {:<20}neglected", name)), std::string::npos) << text;
-  EXPECT_NE(text.find("parison audit"), std::string::npos);
+  EXPECT_NE(text.find("parison tradeoff CASE --parts"), std::string::npos);
   EXPECT_EQ(text.find('%'), std::string::npos) << "no estimate that is not proved";
 }
 

@@ -170,9 +170,8 @@ TEST(FitLaw, too_few_rows_are_refused_with_their_number) {
     fit_law(data, p_ref_fixed());
     FAIL();
   } catch (const core::CaseError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "fit-law: 5 rows were found, allowed are at least 6 for 5 free constants (fewer with --fix NAME=VALUE)");
+    EXPECT_STREQ(error.what(),
+                 "--law: 5 rows were found, allowed are at least 6 for 5 free constants (fewer with --fix NAME=VALUE)");
   }
 }
 
@@ -237,8 +236,9 @@ TEST(LawData, mistakes_are_refused_with_row_and_column) {
   EXPECT_EQ(complaint_about("p_kPa,eta_Pa.s,q_W/m2\n1,1,1\n", true),
             "1: a heat flux q also needs the columns T_glass and T_tool");
   EXPECT_EQ(complaint_about(heading).rfind("1: no rows were found", 0), 0u);
-  EXPECT_NE(complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n").find("--case CASE"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n").find("has a viscosity before --law"),
+      std::string::npos);
   EXPECT_EQ(complaint_about("p_bar,q_kW/m2,T_glass_degC,T_tool_degC\n1,1,900,500\n", true), "");
   EXPECT_THROW(read_law_data("no/such/file.csv", {}), core::CaseError);
 }

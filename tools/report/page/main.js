@@ -116,7 +116,7 @@ async function follow() {
       stamp = null;
       say(
         "warn",
-        `The page cannot be brought up to date: ${error.message}. It tries again; is \`parison watch\` still going?`,
+        `The page cannot be brought up to date: ${error.message}. It tries again; is \`parison report --live\` still going?`,
       );
     }
     await new Promise((resolve) => setTimeout(resolve, document.hidden ? 5000 : 2000));

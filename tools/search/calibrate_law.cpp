@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/study/fit_law.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "forming/scene/scene.hpp"
 #include "forming/study/law/law_data.hpp"
 #include "forming/study/law/law_fit.hpp"
+#include "tools/search/calibrate.hpp"
 
 namespace parison::tools {
 namespace {
@@ -32,7 +31,7 @@ const std::array<ConstantUnit, contact::law_constants> units{{{dimension::conduc
 
 constexpr double default_p_ref = 0.2e6;  // Pa; any other value gives the same law with another eta_ref
 
-contact::LawFitOptions read_options(const FitLawRequest& request) {
+contact::LawFitOptions read_options(const CalibrateRequest& request) {
   contact::LawFitOptions options;
   options.relative = request.relative;
   const auto& names = contact::law_constant_names;
@@ -63,7 +62,7 @@ std::function<double(double)> viscosity_of(const std::string& case_path) {
   const auto scene = forming::read_scene(case_path, "draft");
   if (!scene.has_flow())
     throw core::CaseError(
-        fmt::format("--case: the glass of \"{}\" has no viscosity, allowed is a case whose glass flows", case_path));
+        fmt::format("--law: the glass of \"{}\" has no viscosity, allowed is a case whose glass flows", case_path));
   return [viscosity = scene.glass.flow->viscosity](double temperature) { return viscosity(temperature); };
 }
 
@@ -109,9 +108,9 @@ std::string interface_lines(const contact::LawFit& fit) {
 
 }  // namespace
 
-int fit_law(const FitLawRequest& request) {
+int calibrate_law(const CalibrateRequest& request) {
   const auto options = read_options(request);
-  const auto data = contact::read_law_data(request.data, viscosity_of(request.case_path));
+  const auto data = contact::read_law_data(request.law, viscosity_of(request.case_path));
   const auto fit = contact::fit_law(data, options);
   const bool is_flux = std::any_of(data.begin(), data.end(), [](const auto& row) { return row.drive != 1; });
   fmt::print("h = h0 + (h1 - h0) x/(1 + x), x = (p/p_ref)^a (eta_ref/eta)^b, fitted to {} measurements of {}\n\n{}\n{}",

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/study/audit.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "forming/study/audit.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
+#include "tools/tradeoff/tradeoff.hpp"
 
 namespace parison::tools {
 namespace {
@@ -81,9 +80,9 @@ void print_report(const std::vector<AuditRun>& runs) {
 
 }  // namespace
 
-int audit(const AuditRequest& request) {
+int model_parts(const TradeoffRequest& request) {
   catch_signals();
-  const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
+  const forming::Scene scene = forming::read_scene(request.case_path, request.base, request.overrides);
   const auto variants = forming::audit_variants(scene);
   fmt::print("{} at {} accuracy: {} runs\n", scene.name, scene.accuracy_name, variants.size());
   std::vector<AuditRun> runs;
