@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "core/case/case_error.hpp"
-#include "core/case/given_file.hpp"
 #include "core/case/number.hpp"
+#include "core/io/csv.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 
@@ -19,56 +19,42 @@ namespace {
 
 using core::Point;
 
-/// The rows of a CSV file that Parison has written, by the names of its columns.
-class CsvRows {
+/// Such columns of a table that Parison has written.
+class Columns {
  public:
-  CsvRows(const std::string& path, const std::vector<std::string>& columns) : path_(path) {
+  Columns(const std::string& path, const std::vector<std::string>& names) {
     if (!std::filesystem::exists(path))
       throw core::CaseError(
           fmt::format("{}: no such file, allowed is the result folder of a run that has ended", path));
-    const std::string text = core::read_text(path);
-    core::Lines lines(text);
-    std::string_view line;
-    lines.next(line);
-    const auto heading = core::split_at_commas(line);
-    for (const std::string& column : columns) {
-      const auto found = std::find(heading.begin(), heading.end(), column);
-      if (found == heading.end()) throw core::CaseError(fmt::format("{}: has no column \"{}\"", path, column));
-      place_.push_back(static_cast<std::size_t>(found - heading.begin()));
+    table_ = core::read_csv(path);
+    for (const std::string& name : names) {
+      place_.push_back(table_.find(name));
+      if (place_.back() < 0) throw core::CaseError(fmt::format("{}: has no column \"{}\"", path, name));
     }
-    while (lines.next(line)) add(line, heading.size());
   }
 
-  std::size_t size() const { return rows_.size(); }
-  const std::string& text(std::size_t row, std::size_t column) const { return rows_[row][column]; }
+  std::size_t size() const { return table_.rows.size(); }
+  const std::string& text(std::size_t row, std::size_t column) const {
+    return table_.rows[row].cells[static_cast<std::size_t>(place_[column])];
+  }
   double number(std::size_t row, std::size_t column) const {
-    const std::string& text = rows_[row][column];
-    const auto value = core::parse_number<double>(text);
+    const auto value = core::parse_number<double>(text(row, column));
     if (!value)
-      throw core::CaseError(fmt::format("{}:{}: \"{}\" was found, allowed is a number", path_, row + 2, text));
+      throw core::CaseError(fmt::format("{}:{}: \"{}\" was found, allowed is a number", table_.path,
+                                        table_.rows[row].line, text(row, column)));
     return *value;
   }
 
  private:
-  void add(std::string_view line, std::size_t columns) {
-    const auto cells = core::split_at_commas(line);
-    if (cells.size() != columns)
-      throw core::CaseError(fmt::format("{}:{}: {} columns were found, the heading has {}", path_, rows_.size() + 2,
-                                        cells.size(), columns));
-    rows_.emplace_back();
-    for (const std::size_t place : place_) rows_.back().emplace_back(cells[place]);
-  }
-
-  std::string path_;
-  std::vector<std::size_t> place_;
-  std::vector<std::vector<std::string>> rows_;
+  core::CsvTable table_;
+  std::vector<int> place_;
 };
 
 constexpr double millimetre = 1e-3;
 constexpr double on_axis = 1e-7;  ///< m
 
 std::vector<Point> read_outline(const std::string& path) {
-  const CsvRows rows(path, {"loop", "r_mm", "z_mm"});
+  const Columns rows(path, {"loop", "r_mm", "z_mm"});
   std::vector<Point> points;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.text(i, 0) != "0")
@@ -84,7 +70,7 @@ std::vector<Point> read_outline(const std::string& path) {
 
 /// Where two stretches of wall are joined, the middle goes straight from one to the other.
 std::vector<MidPoint> read_middle(const std::string& path, double& bridged) {
-  const CsvRows rows(path, {"mark", "r_outer_mm", "z_outer_mm", "r_inner_mm", "z_inner_mm", "thickness_mm"});
+  const Columns rows(path, {"mark", "r_outer_mm", "z_outer_mm", "r_inner_mm", "z_inner_mm", "thickness_mm"});
   std::vector<MidPoint> middle;
   double length = 0, joined = 0;
   bool was_wall = false;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/case/given_file.hpp"
-#include "core/case/number.hpp"
+#include "core/case/case_error.hpp"
+#include "core/io/csv.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 
@@ -17,32 +17,11 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double number_in(std::string_view cell) {
-  return core::parse_number<double>(core::trimmed(cell)).value_or(none);
-}
-
-int column(const std::vector<std::string_view>& heading, std::initializer_list<const char*> names) {
+/// The first of such columns that a table has, -1 for none.
+int column(const core::CsvTable& table, std::initializer_list<const char*> names) {
   for (const char* name : names)
-    for (std::size_t i = 0; i < heading.size(); ++i)
-      if (core::trimmed(heading[i]) == name) return static_cast<int>(i);
+    if (const int found = table.find(name); found >= 0) return found;
   return -1;
-}
-
-/// Where a table has what, -1 where it does not.
-struct WallColumns {
-  std::size_t count;
-  int thickness, arc, height, radius;
-  int at() const { return arc >= 0 ? arc : height; }
-};
-
-WallColumns wall_columns(const std::string& path, std::string_view heading) {
-  const auto cells = core::split_at_commas(heading);
-  const WallColumns found{cells.size(), column(cells, {"thickness_mm"}), column(cells, {"arc_mm"}),
-                          column(cells, {"z_mm", "z_outer_mm"}), column(cells, {"r_mm", "r_outer_mm"})};
-  if (found.thickness < 0 || found.at() < 0)
-    throw core::CaseError(fmt::format(
-        "{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path, heading));
-  return found;
 }
 
 Wall sample(const WallTable& table) {
@@ -77,31 +56,29 @@ double linear(const std::vector<double>& x, const std::vector<double>& y, double
 }
 
 WallTable read_wall_table(const std::string& path) {
-  const std::string text = core::read_text(path);
-  core::Lines lines(text);
-  std::string_view line;
-  lines.next(line);
-  const WallColumns columns = wall_columns(path, line);
-  WallTable table{columns.arc >= 0, {}, {}, {}, {}, 0};
-  while (lines.next(line)) {
-    if (core::trimmed(line).empty()) continue;
-    const auto cells = core::split_at_commas(line);
-    if (cells.size() != columns.count)
-      throw core::CaseError(fmt::format("{}:{}: {} cells were found, allowed are {} as in the heading", path,
-                                        lines.number(), cells.size(), columns.count));
-    const auto cell = [&](int i) { return i >= 0 ? number_in(cells[std::size_t(i)]) : none; };
-    const double at = cell(columns.at()), thickness = cell(columns.thickness);
+  const core::CsvTable csv = core::read_csv(path);
+  const int thickness_at = column(csv, {"thickness_mm"}), arc = column(csv, {"arc_mm"}),
+            height = column(csv, {"z_mm", "z_outer_mm"}), radius = column(csv, {"r_mm", "r_outer_mm"}),
+            place = arc >= 0 ? arc : height;
+  if (thickness_at < 0 || place < 0)
+    throw core::CaseError(
+        fmt::format("{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path,
+                    csv.heading_line));
+  WallTable table{arc >= 0, {}, {}, {}, {}, 0};
+  for (const core::CsvTable::Row& row : csv.rows) {
+    const auto cell = [&](int i) { return i >= 0 ? csv.number(row, i) : none; };
+    const double at = cell(place), thickness = cell(thickness_at);
     if (std::isfinite(at)) table.arc_end = at;
     if (!std::isfinite(at) || !std::isfinite(thickness)) continue;
     if (!table.at.empty() && at <= table.at.back()) {
       if (table.over_arc && at == table.at.back()) continue;
-      throw core::CaseError(fmt::format("{}:{}: the {} {} was found after {}, allowed are rising ones", path,
-                                        lines.number(), table.over_arc ? "arc" : "height", at, table.at.back()));
+      throw core::CaseError(fmt::format("{}:{}: the {} {} was found after {}, allowed are rising ones", path, row.line,
+                                        table.over_arc ? "arc" : "height", at, table.at.back()));
     }
     table.at.push_back(at);
     table.thickness.push_back(thickness);
-    table.radius.push_back(cell(columns.radius));
-    table.height.push_back(cell(columns.height));
+    table.radius.push_back(cell(radius));
+    table.height.push_back(cell(height));
   }
   if (table.at.size() < 2)
     throw core::CaseError(

@@ -158,7 +158,7 @@ TEST(SolidFiles, what_is_no_container_of_a_result_folder_is_refused_with_a_sente
   core::write_text(path, text + "0,surface,0,x,1,0,nan,500\n");
   EXPECT_NE(complaint(folder).find("\"x\" was found, allowed is a number"), std::string::npos);
   core::write_text(path, text + "0,surface\n");
-  EXPECT_NE(complaint(folder).find("2 columns were found, the heading has 8"), std::string::npos);
+  EXPECT_NE(complaint(folder).find("2 cells were found, allowed are 8 as in the heading"), std::string::npos);
   core::write_text(path, "r_mm,z_mm\n");
   EXPECT_NE(complaint(folder).find("has no column \"loop\""), std::string::npos);
 }

@@ -9,8 +9,7 @@
 #include <tuple>
 
 #include "core/case/given_file.hpp"
-#include "core/case/number.hpp"
-#include "core/io/files.hpp"
+#include "core/io/csv.hpp"
 
 namespace parison::forming {
 namespace {
@@ -21,54 +20,14 @@ constexpr const char* time_heading = "time_s";
 constexpr const char* what_is_read =
     "time_s and PROBE_degC, TOOL_position_mm or TOOL_force_N, or thickness_mm and arc_mm or z_mm, with numbers";
 
-/// A table by its headings.
-struct Table {
-  std::string path;
-  std::vector<std::string> headings;
-  std::vector<std::vector<std::string>> rows;
-  std::vector<int> lines;
-
-  int find(const std::string& heading) const {
-    const auto at = std::find(headings.begin(), headings.end(), heading);
-    return at == headings.end() ? -1 : static_cast<int>(at - headings.begin());
-  }
-
-  /// NaN where the cell is no number.
-  double number(std::size_t row, std::size_t column) const {
-    return core::parse_number<double>(rows[row][column]).value_or(std::numeric_limits<double>::quiet_NaN());
-  }
-
-  /// NaN where nothing was measured, which an empty cell or "nan" says.
-  double measured(std::size_t row, std::size_t column) const {
-    const std::string& cell = rows[row][column];
-    const double value = number(row, column);
-    if (!std::isfinite(value) && !cell.empty() && cell != "nan")
-      throw core::CaseError(fmt::format("{}:{}: {}: \"{}\" was found, allowed are a number, an empty cell and nan",
-                                        path, lines[row], headings[column], cell));
-    return value;
-  }
-};
-
-Table read_table(const std::string& path) {
-  const std::string text = core::read_text(path);
-  Table table;
-  table.path = path;
-  core::Lines lines(text);
-  for (std::string_view line; lines.next(line);) {
-    if (core::trimmed(line).empty()) continue;
-    std::vector<std::string> cells;
-    for (const auto cell : core::split_at_commas(line)) cells.emplace_back(core::trimmed(cell));
-    if (table.headings.empty()) {
-      table.headings = std::move(cells);
-      continue;
-    }
-    if (cells.size() != table.headings.size())
-      throw core::CaseError(fmt::format("{}:{}: {} cells were found, allowed are {} as in the heading", path,
-                                        lines.number(), cells.size(), table.headings.size()));
-    table.rows.push_back(std::move(cells));
-    table.lines.push_back(lines.number());
-  }
-  return table;
+/// NaN where nothing was measured, which an empty cell or "nan" says.
+double measured(const core::CsvTable& table, const core::CsvTable::Row& row, int column) {
+  const std::string& cell = row.cells[static_cast<std::size_t>(column)];
+  const double value = table.number(row, column);
+  if (!std::isfinite(value) && !cell.empty() && cell != "nan")
+    throw core::CaseError(fmt::format("{}:{}: {}: \"{}\" was found, allowed are a number, an empty cell and nan",
+                                      table.path, row.line, table.heading[static_cast<std::size_t>(column)], cell));
+  return value;
 }
 
 /// A bound, with the unit of the last one where it has none.
@@ -105,7 +64,8 @@ std::vector<HistoryKind> history_kinds(const Scene& scene, const CalibrationNois
 
 /// The kind of a column; null for one that is no measurement of the case. A probe or tool that the case does not have,
 /// and one with another unit, are refused.
-const HistoryKind* kind_of(const Table& table, const std::string& heading, const std::vector<HistoryKind>& kinds) {
+const HistoryKind* kind_of(const core::CsvTable& table, const std::string& heading,
+                           const std::vector<HistoryKind>& kinds) {
   for (const HistoryKind& kind : kinds) {
     if (!ends_with(heading, kind.ending)) continue;
     const std::string name = heading.substr(0, heading.size() - std::string_view(kind.ending).size());
@@ -129,15 +89,15 @@ double longest_time(const Scene& scene) {
   return sum;
 }
 
-MeasuredCurve curve_over_time(const Table& table, std::size_t column, double noise, double end) {
-  MeasuredCurve curve{table.path, table.headings[column], false, {}, {}, noise};
-  const auto time = static_cast<std::size_t>(table.find(time_heading));
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const double at = table.measured(i, time), value = table.measured(i, column);
+MeasuredCurve curve_over_time(const core::CsvTable& table, int column, double noise, double end) {
+  MeasuredCurve curve{table.path, table.heading[static_cast<std::size_t>(column)], false, {}, {}, noise};
+  const int time = table.find(time_heading);
+  for (const core::CsvTable::Row& row : table.rows) {
+    const double at = measured(table, row, time), value = measured(table, row, column);
     if (!std::isfinite(value)) continue;
     if (!(at >= 0 && at <= end))
       throw core::CaseError(fmt::format("{}:{}: the time {} s was found, allowed is 0 to the end of the case, {} s",
-                                        table.path, table.lines[i], at, end));
+                                        table.path, row.line, at, end));
     curve.at.push_back(at);
     curve.value.push_back(value);
   }
@@ -166,7 +126,7 @@ std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scen
                                              const CalibrationNoise& noise) {
   if (!fs::is_regular_file(path))
     throw core::CaseError(fmt::format("{}: no such file, allowed is a table of measurements", path));
-  const Table table = read_table(path);
+  const core::CsvTable table = core::read_csv(path);
   std::vector<MeasuredCurve> curves;
   if (table.find("thickness_mm") >= 0) {
     if (!scene.has_flow())
@@ -178,9 +138,9 @@ std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scen
     curves.push_back({path, "", wall.over_arc, wall.at, wall.thickness, noise.thickness});
   } else if (table.find(time_heading) >= 0) {
     const std::vector<HistoryKind> kinds = history_kinds(scene, noise);
-    for (std::size_t i = 0; i < table.headings.size(); ++i)
-      if (const HistoryKind* kind = kind_of(table, table.headings[i], kinds))
-        curves.push_back(curve_over_time(table, i, kind->noise, longest_time(scene)));
+    for (const std::string& heading : table.heading)
+      if (const HistoryKind* kind = kind_of(table, heading, kinds))
+        curves.push_back(curve_over_time(table, table.find(heading), kind->noise, longest_time(scene)));
   }
   curves.erase(std::remove_if(curves.begin(), curves.end(), [](const auto& curve) { return curve.at.empty(); }),
                curves.end());
@@ -249,12 +209,12 @@ std::optional<std::vector<double>> model_at(const MeasuredCurve& curve, const st
     else
       std::tie(x, y) = over_height(wall);
   } else {
-    const Table table = read_table(folder + "/history.csv");
+    const core::CsvTable table = core::read_csv(folder + "/history.csv");
     const int time = table.find(time_heading), column = table.find(curve.column);
     if (time < 0 || column < 0) return std::nullopt;
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      x.push_back(table.number(i, std::size_t(time)));
-      y.push_back(table.number(i, std::size_t(column)));
+    for (const core::CsvTable::Row& row : table.rows) {
+      x.push_back(table.number(row, time));
+      y.push_back(table.number(row, column));
     }
   }
   if (x.size() < 2) return std::nullopt;
