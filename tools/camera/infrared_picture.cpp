@@ -9,16 +9,20 @@
 #include <iterator>
 #include <limits>
 
+#include "core/io/svg.hpp"
+
 namespace parison::tools {
 
 namespace {
+
+namespace svg = core::svg;
 
 constexpr double margin = 50, scale_width = 90, scale_height = 240, top = 70;  // pixels of the picture
 constexpr double wanted_height = 560;                                          // of an image
 constexpr int shades = 64;
 
-/// From black over red and yellow to white, as hot bodies look.
-std::string colour(int shade) {
+/// A fill from black over red and yellow to white, as hot bodies look.
+std::string fill(int shade) {
   constexpr std::array<std::array<double, 3>, 5> stops{
       {{12, 8, 38}, {110, 22, 95}, {205, 62, 58}, {248, 158, 42}, {252, 250, 210}}};
   const double at = (static_cast<double>(stops.size()) - 1) * shade / (shades - 1);
@@ -27,7 +31,7 @@ std::string colour(int shade) {
   for (int i = 0; i < 3; ++i)
     rgb[i] = static_cast<int>(
         std::lround(stops[first][i] + (at - static_cast<double>(first)) * (stops[first + 1][i] - stops[first][i])));
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+  return fmt::format("fill=\"#{:02x}{:02x}{:02x}\"", rgb[0], rgb[1], rgb[2]);
 }
 
 /// Temperatures of the darkest and the brightest colour, degC.
@@ -65,11 +69,6 @@ Span span_of(const InfraredImage& image) {
   return inside.high > inside.low ? inside : all;
 }
 
-std::string rectangle(double x, double y, double width, double height, const std::string& fill) {
-  return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n", x, y, width,
-                     height, fill);
-}
-
 /// Pixels of one shade beside each other are one rectangle, on both sides of the axis.
 std::string row_of(const std::vector<double>& row, const Span& span, double axis, double y, double size) {
   const auto shade_at = [&](std::size_t i) { return i >= row.size() || std::isnan(row[i]) ? -1 : span.shade(row[i]); };
@@ -79,7 +78,7 @@ std::string row_of(const std::vector<double>& row, const Span& span, double axis
     while (end < row.size() && shade_at(end) == shade_at(i)) ++end;
     if (const int shade = shade_at(i); shade >= 0)
       for (const double from : {axis + size * static_cast<double>(i), axis - size * static_cast<double>(end)})
-        text += rectangle(from, y, size * static_cast<double>(end - i) + 0.05, size + 0.05, colour(shade));
+        text += svg::rectangle(from, y, size * static_cast<double>(end - i) + 0.05, size + 0.05, fill(shade));
     i = end;
   }
   return text;
@@ -88,10 +87,11 @@ std::string row_of(const std::vector<double>& row, const Span& span, double axis
 std::string scale_of(const Span& span, double x) {
   std::string text;
   const double step = scale_height / shades;
-  for (int i = 0; i < shades; ++i) text += rectangle(x, top + scale_height - (i + 1) * step, 16, step + 0.1, colour(i));
+  for (int i = 0; i < shades; ++i)
+    text += svg::rectangle(x, top + scale_height - (i + 1) * step, 16, step + 0.1, fill(i));
   for (int i = 0; i <= 4; ++i)
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\">{:.0f} degC</text>\n", x + 20,
-                        top + scale_height * (1 - i / 4.0) + 4, span.low + i / 4.0 * (span.high - span.low));
+    text += svg::text(x + 20, top + scale_height * (1 - i / 4.0) + 4, "start",
+                      fmt::format("{:.0f} degC", span.low + i / 4.0 * (span.high - span.low)));
   return text;
 }
 
@@ -106,7 +106,7 @@ std::string infrared_picture(const std::vector<InfraredImage>& images, const std
     for (const auto& row : image.rows) widest = std::max(widest, row.size());
     const double size = wanted_height / static_cast<double>(image.rows.size());
     const double half = size * static_cast<double>(widest), axis = x + std::max(half, 100.0);
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"14\">{}</text>\n", x, top - 14, image.title);
+    text += svg::text(x, top - 14, "start", image.title, 14);
     for (std::size_t j = 0; j < image.rows.size(); ++j) {
       const std::size_t from_top = image.upright ? image.rows.size() - 1 - j : j;
       text += row_of(image.rows[j], span, axis, top + size * static_cast<double>(from_top), size);
@@ -116,12 +116,8 @@ std::string infrared_picture(const std::vector<InfraredImage>& images, const std
     x += scale_width + margin;
     height = std::max(height, top + wanted_height);
   }
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\" shape-rendering=\"crispEdges\">\n<rect width=\"100%\" height=\"100%\" "
-      "fill=\"white\"/>\n"
-      "<text x=\"{2:.0f}\" y=\"28\" font-size=\"16\">{3}</text>\n{4}</svg>\n",
-      x, height + margin, margin, caption, text);
+  return svg::picture(x, height + margin, svg::text(margin, 28, "start", caption, 16) + text,
+                      "shape-rendering=\"crispEdges\"");
 }
 
 }  // namespace parison::tools

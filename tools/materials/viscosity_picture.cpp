@@ -8,9 +8,12 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
+#include "core/io/svg.hpp"
 
 namespace parison::tools {
 namespace {
+
+namespace svg = core::svg;
 
 constexpr double coldest = 450, hottest = 1450, thinnest = 0, stiffest = 12;  // degC, log10 Pa.s
 constexpr double width = 720, height = 480, left = 70, top = 30;              // pixels
@@ -24,46 +27,37 @@ double down(double decades) {
   return top + height * (stiffest - decades) / (stiffest - thinnest);
 }
 
-std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     text);
-}
-
-std::string line(double x0, double y0, double x1, double y1, const char* style) {
-  return fmt::format("<path d=\"M{:.1f} {:.1f} L{:.1f} {:.1f}\" {}/>\n", x0, y0, x1, y1, style);
-}
-
 std::string grid() {
   std::string text;
   const char* thin = "stroke=\"#ddd\"";
   for (double T = 500; T <= 1400; T += 100) {
-    text += line(across(T), down(thinnest), across(T), down(stiffest), thin);
-    text += text_at(across(T), down(thinnest) + 18, "middle", fmt::format("{:g}", T));
+    text += svg::line(across(T), down(thinnest), across(T), down(stiffest), thin);
+    text += svg::text(across(T), down(thinnest) + 18, "middle", fmt::format("{:g}", T));
   }
   for (double decades = thinnest; decades <= stiffest; decades += 2) {
-    text += line(across(coldest), down(decades), across(hottest), down(decades), thin);
-    text += text_at(left - 8, down(decades) + 4, "end", fmt::format("1e{:g}", decades));
+    text += svg::line(across(coldest), down(decades), across(hottest), down(decades), thin);
+    text += svg::text(left - 8, down(decades) + 4, "end", fmt::format("1e{:g}", decades));
   }
-  text += text_at(across(0.5 * (coldest + hottest)), down(thinnest) + 38, "middle", "temperature, degC");
-  text += text_at(left, top - 10, "middle", "viscosity, Pa.s");
+  text += svg::text(across(0.5 * (coldest + hottest)), down(thinnest) + 38, "middle", "temperature, degC");
+  text += svg::text(left, top - 10, "middle", "viscosity, Pa.s");
   for (const auto& [decades, name] :
        {std::pair{3.0, "working point"}, {6.6, "softening point"}, {12.0, "annealing point"}}) {
-    text += line(across(coldest), down(decades), across(hottest), down(decades),
-                 "stroke=\"#999\" stroke-dasharray=\"6 4\"");
-    text += text_at(across(hottest) - 4, down(decades) + (decades > 11 ? 14 : -5), "end", name);
+    text += svg::line(across(coldest), down(decades), across(hottest), down(decades),
+                      "stroke=\"#999\" stroke-dasharray=\"6 4\"");
+    text += svg::text(across(hottest) - 4, down(decades) + (decades > 11 ? 14 : -5), "end", name);
   }
   return text;
 }
 
 std::string curve(const flow::Viscosity& viscosity, const char* colour) {
   constexpr double step = 5;
-  std::string path;
+  svg::Path path;
   for (double T = coldest; T <= hottest; T += step) {
     const double decades = std::log10(viscosity(T + core::zero_celsius));
     if (viscosity.is_capped(T + core::zero_celsius) || decades < thinnest || decades > stiffest) continue;
-    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : " L", across(T), down(decades));
+    path.to(across(T), down(decades));
   }
-  return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\"/>\n", path, colour);
+  return path.drawn(fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\"", colour));
 }
 
 }  // namespace
@@ -76,16 +70,13 @@ std::string viscosity_picture(const std::vector<forming::NamedMaterial>& materia
     const char* colour = colours[count % colours.size()];
     const double y = top + 60 + 18 * static_cast<double>(count++);
     body += curve(material.flow->viscosity, colour);
-    body += line(across(hottest) - 190, y - 4, across(hottest) - 160, y - 4,
-                 fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", colour).c_str());
-    body += text_at(across(hottest) - 152, y, "start", material.name);
+    body += svg::line(across(hottest) - 190, y - 4, across(hottest) - 160, y - 4,
+                      fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", colour));
+    body += svg::text(across(hottest) - 152, y, "start", material.name);
   }
   if (count == 0)
     throw core::CaseError("--picture: no glass among these materials, allowed are materials that have a viscosity");
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
-      left + width + 30, top + height + 60, body);
+  return svg::picture(left + width + 30, top + height + 60, body);
 }
 
 }  // namespace parison::tools

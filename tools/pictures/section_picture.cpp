@@ -10,10 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/svg.hpp"
 #include "forming/scene/container/container_plan.hpp"
 
 namespace parison::tools {
 namespace {
+
+namespace svg = core::svg;
 
 using core::Index;
 using core::Point;
@@ -80,27 +83,20 @@ struct Frame {
   }
 };
 
-std::string path_of(const Frame& frame, const std::vector<Point>& points, double side) {
-  std::string path;
+std::string path_of(const Frame& frame, const std::vector<Point>& points, double side, const std::string& style) {
+  svg::Path path;
   for (const Point& x : points) {
     const Point at = frame(Point(side * x[0], x[1]));
-    path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : " L", at[0], at[1]);
+    path.to(at[0], at[1]);
   }
-  return path + " Z";
+  return path.close().drawn(style);
 }
 
 /// A body and, where it turns about the axis, its other half.
 std::string body_shape(const Frame& frame, const Scene& scene, const std::vector<Point>& points,
                        const std::string& style) {
-  std::string text = fmt::format("<path d=\"{}\" {}/>\n", path_of(frame, points, 1), style);
-  if (scene.geometry == core::Geometry::axisymmetric)
-    text += fmt::format("<path d=\"{}\" {}/>\n", path_of(frame, points, -1), style);
-  return text;
-}
-
-std::string text_at(const Point& at, const std::string& text, int size, const char* anchor) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\">{}</text>\n", at[0], at[1],
-                     size, anchor, text);
+  const bool turns = scene.geometry == core::Geometry::axisymmetric;
+  return path_of(frame, points, 1, style) + (turns ? path_of(frame, points, -1, style) : "");
 }
 
 /// A body of a panel where it is drawn.
@@ -199,11 +195,9 @@ std::string names_beside(const Frame& frame, const std::vector<Drawn>& drawn) {
   std::string text;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const auto& [from, name] = marks[i];
-    text += fmt::format(
-        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"2\"/><path d=\"M{0:.1f} {1:.1f} L{2:.1f} {3:.1f}\" fill=\"none\" "
-        "stroke=\"#000\" stroke-width=\"0.7\"/>\n",
-        from[0], from[1], x - gap / 2, places[i]);
-    text += text_at({x, places[i] + 4}, name, name_size, "start");
+    text += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>\n", from[0], from[1]);
+    text += svg::line(from[0], from[1], x - gap / 2, places[i], "stroke=\"#000\" stroke-width=\"0.7\"");
+    text += svg::text(x, places[i] + 4, "start", name, name_size);
   }
   return text;
 }
@@ -211,20 +205,17 @@ std::string names_beside(const Frame& frame, const std::vector<Drawn>& drawn) {
 /// The axis, a bar of a length to compare with, the title.
 std::string frame_lines(const Frame& frame, const Scene& scene, const Panel& panel, double width) {
   const int fitting = static_cast<int>(width / (letter * double(panel.stages.size())));
-  std::string text = text_at({frame.left + width / 2, 24}, panel.stages, std::min(title_size, fitting), "middle");
+  std::string text = svg::text(frame.left + width / 2, 24, "middle", panel.stages, std::min(title_size, fitting));
   if (scene.geometry == core::Geometry::axisymmetric) {
     const Point low = frame(Point(0, frame.range.low[1])), high = frame(Point(0, frame.range.high[1]));
-    text += fmt::format(
-        "<path d=\"M{:.2f} {:.2f} L{:.2f} {:.2f}\" stroke=\"#c00\" stroke-width=\"1\" "
-        "stroke-dasharray=\"12 3 2 3\"/>\n",
-        low[0], low[1] + 8, high[0], high[1] - 8);
+    text += svg::line(low[0], low[1] + 8, high[0], high[1] - 8,
+                      "stroke=\"#c00\" stroke-width=\"1\" stroke-dasharray=\"12 3 2 3\"");
   }
   double bar = 1e-6;  // m
   while (bar * 10 * frame.scale < width / 2) bar *= 10;
   const double x = frame.left + margin, y = title + height + 22;
-  text +=
-      fmt::format("<path d=\"M{:.2f} {:.2f} h{:.2f}\" stroke=\"#000\" stroke-width=\"2\"/>\n", x, y, bar * frame.scale);
-  return text + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\">{:g} mm</text>\n", x, y + 16, 1e3 * bar);
+  text += svg::line(x, y, x + bar * frame.scale, y, "stroke=\"#000\" stroke-width=\"2\"");
+  return text + svg::text(x, y + 16, "start", fmt::format("{:g} mm", 1e3 * bar));
 }
 
 /// Width of the column of names, pixels.
@@ -260,11 +251,7 @@ std::string section_picture(const Scene& scene) {
             names_beside(frame, drawn_in(scene, panels[i], i == 0));
   }
   const double whole = width * static_cast<double>(panels.size());
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-      "{1:.0f}\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<title>{2}"
-      "</title>\n{3}</svg>\n",
-      whole, title + height + 50, scene.name, body);
+  return svg::picture(whole, title + height + 50, fmt::format("<title>{}</title>\n", scene.name) + body);
 }
 
 }  // namespace parison::tools

@@ -9,8 +9,12 @@
 #include <map>
 #include <vector>
 
+#include "core/io/svg.hpp"
+
 namespace parison::tools {
 namespace {
+
+namespace svg = core::svg;
 
 using forming::Scene;
 using forming::Stage;
@@ -53,38 +57,34 @@ class Rows {
  public:
   explicit Rows(const Axis& axis) : axis_(axis) {}
 
-  void begin(const std::string& name) {
-    text_ += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" font-size=\"13\" text-anchor=\"end\">{}</text>\n", left - 8,
-                         y() + 0.7 * row_height, name);
-  }
+  void begin(const std::string& name) { text_ += svg::text(left - 8, y() + 0.7 * row_height, "end", name, 13); }
   void end() { ++count_; }
   void bar(double from, double to, const std::array<const char*, 2>& colours, const std::string& name) {
     for (const Piece& piece : pieces(axis_, from, to)) {
-      text_ += fmt::format(
-          "<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\" fill=\"{}\" stroke=\"#444\" "
-          "stroke-width=\"0.6\"/>\n",
-          piece.from, y() + 3, piece.to - piece.from, row_height - 6, colours[piece.period % 2]);
+      text_ +=
+          svg::rectangle(piece.from, y() + 3, piece.to - piece.from, row_height - 6,
+                         fmt::format("fill=\"{}\" stroke=\"#444\" stroke-width=\"0.6\"", colours[piece.period % 2]));
       constexpr double letter = 7;
       if (letter * static_cast<double>(name.size()) < piece.to - piece.from)
-        text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"middle\">{}</text>\n",
-                             0.5 * (piece.from + piece.to), y() + 0.68 * row_height, name);
+        text_ += svg::text(0.5 * (piece.from + piece.to), y() + 0.68 * row_height, "middle", name);
     }
   }
   /// A curve in a row, whose values are shares of its height.
   void curve(double from, double to, const core::TimeFunction& share) {
     constexpr int points = 60;
     for (const Piece& piece : pieces(axis_, from, to)) {
-      std::string path = fmt::format("M{:.2f} {:.2f}", piece.from, y() + row_height - 3);
+      svg::Path path;
+      path.to(piece.from, y() + row_height - 3);
       const double start =
           ((piece.from - left) / width + static_cast<double>(piece.period)) * axis_.period - axis_.start;
       const double seconds = (piece.to - piece.from) / width * axis_.period / axis_.per_second;
       for (int i = 0; i <= points; ++i)
-        path += fmt::format(
-            " L{:.2f} {:.2f}", piece.from + (piece.to - piece.from) * i / points,
+        path.to(
+            piece.from + (piece.to - piece.from) * i / points,
             y() + row_height - 3 - (row_height - 6) * share(start / axis_.per_second - from + seconds * i / points));
-      text_ +=
-          fmt::format("<path d=\"{} L{:.2f} {:.2f} Z\" fill=\"#d1495b\" fill-opacity=\"0.6\" stroke=\"#d1495b\"/>\n",
-                      path, piece.to, y() + row_height - 3);
+      text_ += path.to(piece.to, y() + row_height - 3)
+                   .close()
+                   .drawn("fill=\"#d1495b\" fill-opacity=\"0.6\" stroke=\"#d1495b\"");
     }
   }
   double y() const { return top + row_height * count_; }
@@ -140,10 +140,8 @@ void add_pressures(const Scene& scene, Rows& rows) {
 }
 
 std::string tick(double x, double end, const std::string& label) {
-  return fmt::format(
-      "<path d=\"M{0:.2f} {1:.1f} V{2:.1f}\" stroke=\"#ccc\" stroke-width=\"0.8\"/>\n"
-      "<text x=\"{0:.2f}\" y=\"{3:.1f}\" font-size=\"11\" text-anchor=\"middle\">{4}</text>\n",
-      x, top, end, end + 14, label);
+  return svg::line(x, top, x, end, "stroke=\"#ccc\" stroke-width=\"0.8\"") +
+         svg::text(x, end + 14, "middle", label, 11);
 }
 
 /// Ticks along the axis: every 30 deg with the seconds below, or ten or so round seconds.
@@ -152,12 +150,9 @@ std::string ticks(const Scene& scene, const Axis& axis, double end) {
   if (scene.timing) {
     for (int angle = 0; angle <= 360; angle += 30)
       text += tick(axis.pixel(angle), end, fmt::format("{}", angle)) +
-              fmt::format(
-                  "<text x=\"{:.2f}\" y=\"{:.1f}\" font-size=\"11\" fill=\"#666\" text-anchor=\"middle\">{:.3g} "
-                  "s</text>\n",
-                  axis.pixel(angle), end + 28, angle / axis.per_second);
-    return text + fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"end\">deg</text>\n",
-                              left - 8, end + 14);
+              svg::text(axis.pixel(angle), end + 28, "middle", fmt::format("{:.3g} s", angle / axis.per_second), 11,
+                        "fill=\"#666\"");
+    return text + svg::text(left - 8, end + 14, "end", "deg");
   }
   double step = std::pow(10, std::floor(std::log10(axis.period / 5)));
   while (axis.period / step > 16) step *= step * 5 > axis.period ? 2 : 2.5;
@@ -173,11 +168,14 @@ std::string event_lines(const Scene& scene, const Axis& axis, double end) {
   for (const auto& event : scene.timing->events) {
     const double x = axis.pixel(event.angle), label = std::max(x, last + 13);
     last = label;
-    text += fmt::format(
-        "<path d=\"M{0:.2f} {1:.1f} L{2:.2f} {3:.1f} V{4:.1f}\" fill=\"none\" stroke=\"#2a6f97\" stroke-width=\"0.9\" "
-        "stroke-dasharray=\"5 3\"/>\n<text transform=\"translate({5:.2f} {6:.1f}) rotate(-60)\" font-size=\"12\" "
-        "fill=\"#2a6f97\">{7} {8:g}</text>\n",
-        label, top - 16, x, top - 4, end, label + 3, top - 20, event.name, event.angle);
+    text += svg::Path()
+                .move(label, top - 16)
+                .to(x, top - 4)
+                .to(x, end)
+                .drawn("fill=\"none\" stroke=\"#2a6f97\" stroke-width=\"0.9\" stroke-dasharray=\"5 3\"");
+    text += svg::text(
+        0, 0, "start", fmt::format("{} {:g}", event.name, event.angle), 12,
+        fmt::format("fill=\"#2a6f97\" transform=\"translate({:.2f} {:.1f}) rotate(-60)\"", label + 3, top - 20));
   }
   return text;
 }
@@ -200,11 +198,9 @@ std::string timing_picture(const Scene& scene) {
                         scene.name, 60 * scene.timing->cuts, scene.timing->sections,
                         scene.timing->sections == 1 ? "" : "s", scene.timing->cycle)
           : scene.name;
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-      "<text x=\"{2:.0f}\" y=\"22\" font-size=\"15\">{3}</text>\n{4}{5}{6}</svg>\n",
-      left + width + 60, end + 45, left, title, ticks(scene, axis, end), rows.text(), event_lines(scene, axis, end));
+  return svg::picture(
+      left + width + 60, end + 45,
+      svg::text(left, 22, "start", title, 15) + ticks(scene, axis, end) + rows.text() + event_lines(scene, axis, end));
 }
 
 }  // namespace parison::tools

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/svg.hpp"
 #include "forming/study/comparison/comparison.hpp"
 
 namespace parison::forming {
 namespace {
+
+namespace svg = core::svg;
 
 constexpr double plot_width = 760, left = 70, right = 20, wall_height = 280, change_height = 240, gap = 56, top = 44;
 /// Apart from each other for colour-blind readers too (M. Okabe, K. Ito, Color universal design, 2008).
@@ -32,55 +35,51 @@ double tick_step(double range) {
   return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 }
 
-std::string text_at(double x, double y, const std::string& anchor, const std::string& text, int size = 12) {
-  std::string safe;
-  for (const char c : text) safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\">{}</text>\n", x, y, size,
-                     anchor, safe);
-}
-
 std::string axes(const Frame& frame, const std::string& title) {
-  std::string svg;
+  std::string drawn;
   const double step = tick_step(frame.high - frame.low);
   for (double value = step * std::ceil(frame.low / step - 1e-9); value <= frame.high + 1e-9 * step; value += step) {
     const double tidy = std::abs(value) < 1e-9 * step ? 0 : value;
-    svg += fmt::format("<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", left,
-                       left + plot_width, frame.y(tidy), frame.y(tidy), tidy == 0 ? "#888" : "#e4e4e4");
-    svg += text_at(left - 6, frame.y(tidy) + 4, "end", fmt::format("{:.4g}", tidy));
+    drawn += svg::line(left, frame.y(tidy), left + plot_width, frame.y(tidy),
+                       tidy == 0 ? "stroke=\"#888\"" : "stroke=\"#e4e4e4\"");
+    drawn += svg::text(left - 6, frame.y(tidy) + 4, "end", fmt::format("{:.4g}", tidy));
   }
   for (int i = 0; i <= 10; i += 2)
-    svg += text_at(frame.x(0.1 * i), frame.above + frame.height + 16, "middle", fmt::format("{:.1f}", 0.1 * i));
-  svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n", left,
-                     frame.above, plot_width, frame.height);
-  return svg + text_at(left, frame.above - 8, "start", title, 13);
+    drawn += svg::text(frame.x(0.1 * i), frame.above + frame.height + 16, "middle", fmt::format("{:.1f}", 0.1 * i));
+  drawn += svg::rectangle(left, frame.above, plot_width, frame.height, "fill=\"none\" stroke=\"#888\"");
+  return drawn + svg::text(left, frame.above - 8, "start", title, 13);
 }
 
 /// A line, broken where there is no wall.
 std::string line(const Frame& frame, const Profile& values, const std::string& style) {
-  std::string path;
-  bool down = false;
+  svg::Path path;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i]))
-      path += fmt::format("{}{:.1f} {:.1f}", down ? 'L' : 'M', frame.x(double(i) / double(values.size() - 1)),
-                          frame.y(std::clamp(values[i], frame.low, frame.high)));
-    down = std::isfinite(values[i]);
+    if (!std::isfinite(values[i])) continue;
+    const double x = frame.x(double(i) / double(values.size() - 1)),
+                 y = frame.y(std::clamp(values[i], frame.low, frame.high));
+    if (i > 0 && std::isfinite(values[i - 1]))
+      path.to(x, y);
+    else
+      path.move(x, y);
   }
-  return fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", path, style);
+  return path.drawn("fill=\"none\" " + style);
 }
 
 /// The band of a difference with its error bar, place by place.
 std::string band(const Frame& frame, const ProfileComparison& walls, const char* colour) {
-  std::string svg;
+  svg::Path path;
   const auto shown = [&](std::size_t i, double sign) {
     return frame.y(std::clamp(walls.difference[i] + sign * walls.bar[i], frame.low, frame.high));
   };
   const double count = double(walls.bar.size() - 1);
   for (std::size_t i = 1; i < walls.bar.size(); ++i)
     if (std::isfinite(walls.bar[i]) && std::isfinite(walls.bar[i - 1]))
-      svg += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z", frame.x(double(i - 1) / count),
-                         shown(i - 1, 1), frame.x(double(i) / count), shown(i, 1), frame.x(double(i) / count),
-                         shown(i, -1), frame.x(double(i - 1) / count), shown(i - 1, -1));
-  return fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.18\"/>\n", svg, colour);
+      path.move(frame.x(double(i - 1) / count), shown(i - 1, 1))
+          .to(frame.x(double(i) / count), shown(i, 1))
+          .to(frame.x(double(i) / count), shown(i, -1))
+          .to(frame.x(double(i - 1) / count), shown(i - 1, -1))
+          .close();
+  return path.drawn(fmt::format("fill=\"{}\" fill-opacity=\"0.18\"", colour));
 }
 
 void widen(double& low, double& high, const Profile& values) {
@@ -109,15 +108,15 @@ std::string style_of(std::size_t run) {
 }
 
 std::string legend(const std::vector<const ComparedRun*>& runs, const std::string& base, double y) {
-  std::string svg;
+  std::string drawn;
   const auto entry = [&](const std::string& style, const std::string& label) {
-    svg += fmt::format("<line x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", left, left + 28, y, y, style);
-    svg += text_at(left + 36, y + 4, "start", label);
+    drawn += svg::line(left, y, left + 28, y, style);
+    drawn += svg::text(left + 36, y + 4, "start", label);
     y += 18;
   };
   entry(fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", base_colour), base);
   for (std::size_t i = 0; i < runs.size(); ++i) entry(style_of(i), runs[i]->label);
-  return svg;
+  return drawn;
 }
 
 }  // namespace
@@ -133,20 +132,17 @@ std::string profile_plot(const Comparison& comparison) {
   for (const ComparedRun* run : runs) widen(low, high, run->result->profile.other);
   const double change = usual_size(runs), second = top + wall_height + gap, end = second + change_height + 44;
   const Frame wall{low, 1.05 * high, top, wall_height}, difference{-change, change, second, change_height};
-  std::string svg = axes(wall, "wall thickness, mm") +
-                    axes(difference, fmt::format("difference from {}, mm, with error bars", comparison.base.name));
+  std::string drawn = axes(wall, "wall thickness, mm") +
+                      axes(difference, fmt::format("difference from {}, mm, with error bars", comparison.base.name));
   for (std::size_t i = 0; i < runs.size(); ++i)
-    svg += band(difference, runs[i]->result->profile, colours[i % colours.size()]);
-  svg += line(wall, base, fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", base_colour));
+    drawn += band(difference, runs[i]->result->profile, colours[i % colours.size()]);
+  drawn += line(wall, base, fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", base_colour));
   for (std::size_t i = 0; i < runs.size(); ++i)
-    svg += line(wall, runs[i]->result->profile.other, style_of(i)) +
-           line(difference, runs[i]->result->profile.difference, style_of(i));
-  svg += text_at(left + 0.5 * plot_width, second + change_height + 34, "middle", "share of the outer arc");
-  svg += legend(runs, comparison.base.name, end + 14);
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\" "
-      "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{2}</svg>\n",
-      left + plot_width + right, end + 18.0 * double(runs.size() + 1) + 14, svg);
+    drawn += line(wall, runs[i]->result->profile.other, style_of(i)) +
+             line(difference, runs[i]->result->profile.difference, style_of(i));
+  drawn += svg::text(left + 0.5 * plot_width, second + change_height + 34, "middle", "share of the outer arc");
+  drawn += legend(runs, comparison.base.name, end + 14);
+  return svg::picture(left + plot_width + right, end + 18.0 * double(runs.size() + 1) + 14, drawn, "fill=\"#222\"");
 }
 
 }  // namespace parison::forming

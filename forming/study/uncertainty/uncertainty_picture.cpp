@@ -4,30 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/svg.hpp"
 #include "forming/study/uncertainty/uncertainty.hpp"
 
 namespace parison::forming {
 namespace {
 
+namespace svg = core::svg;
+
 constexpr double width = 900, left = 300, right = 40, row_height = 24, wall_height = 240;
 /// Apart from each other for colour-blind readers too (M. Okabe, K. Ito, Color universal design, 2008).
 constexpr const char *bar_colour = "#0072B2", *part_colour = "#56B4E9", *wall_colour = "#D55E00";
-
-std::string text_at(double x, double y, const std::string& anchor, const std::string& text, int size = 12,
-                    const char* more = "") {
-  std::string safe;
-  for (const char c : text) safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, size,
-                     anchor, more, safe);
-}
-
-std::string box(double x, double y, double w, double h, const std::string& style) {
-  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", x, y, w, h, style);
-}
-
-std::string segment(double x1, double y1, double x2, double y2, const std::string& style) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1, x2, y2, style);
-}
 
 double span() {
   return width - left - right;
@@ -35,38 +22,41 @@ double span() {
 
 /// A picture that grows downwards.
 struct Page {
-  std::string svg;
+  std::string drawn;
   double y = 30;
 };
 
 /// The total indices as bars with their intervals, the part of the tolerance alone darker.
 void draw_ranking(const UncertaintyPlan& plan, const Ranking& ranking, Page& page) {
-  page.svg += text_at(20, page.y, "start", "What to measure first", 16, "font-weight=\"bold\"");
-  page.svg += text_at(20, page.y + 18, "start",
-                      fmt::format("share of the variance of {} that each tolerance makes: alone (dark), with others "
-                                  "(light), 95 % intervals",
-                                  ranking.of));
+  page.drawn += svg::text(20, page.y, "start", "What to measure first", 16, "font-weight=\"bold\"");
+  page.drawn +=
+      svg::text(20, page.y + 18, "start",
+                fmt::format("share of the variance of {} that each tolerance makes: alone (dark), with others "
+                            "(light), 95 % intervals",
+                            ranking.of));
   page.y += 34;
   const double top = page.y;
   for (const std::size_t i : ranking.order) {
     const Interval &first = ranking.indices.first[i], &total = ranking.indices.total[i];
     const double middle = page.y + 0.5 * row_height;
-    page.svg += text_at(left - 10, middle + 4, "end", plan.tolerances[i].key);
+    page.drawn += svg::text(left - 10, middle + 4, "end", plan.tolerances[i].key);
     if (std::isfinite(total.value)) {
-      page.svg += box(left, page.y + 4, span() * total.value, row_height - 8, fmt::format("fill=\"{}\"", part_colour));
-      page.svg += box(left, page.y + 4, span() * first.value, row_height - 8, fmt::format("fill=\"{}\"", bar_colour));
+      page.drawn += svg::rectangle(left, page.y + 4, span() * total.value, row_height - 8,
+                                   fmt::format("fill=\"{}\"", part_colour));
+      page.drawn += svg::rectangle(left, page.y + 4, span() * first.value, row_height - 8,
+                                   fmt::format("fill=\"{}\"", bar_colour));
     }
-    page.svg += segment(left + span() * total.low, middle, left + span() * total.high, middle,
-                        "stroke=\"#222\" stroke-width=\"1.5\"");
+    page.drawn += svg::line(left + span() * total.low, middle, left + span() * total.high, middle,
+                            "stroke=\"#222\" stroke-width=\"1.5\"");
     for (const double end : {total.low, total.high})
-      page.svg += segment(left + span() * end, middle - 5, left + span() * end, middle + 5,
-                          "stroke=\"#222\" stroke-width=\"1.5\"");
+      page.drawn += svg::line(left + span() * end, middle - 5, left + span() * end, middle + 5,
+                              "stroke=\"#222\" stroke-width=\"1.5\"");
     page.y += row_height;
   }
   for (int i = 0; i <= 10; i += 2) {
     const double x = left + 0.1 * i * span();
-    page.svg += segment(x, top, x, page.y, "stroke=\"#888\" stroke-opacity=\"0.3\"");
-    page.svg += text_at(x, page.y + 14, "middle", fmt::format("{:.1f}", 0.1 * i));
+    page.drawn += svg::line(x, top, x, page.y, "stroke=\"#888\" stroke-opacity=\"0.3\"");
+    page.drawn += svg::text(x, page.y + 14, "middle", fmt::format("{:.1f}", 0.1 * i));
   }
   page.y += 50;
 }
@@ -78,42 +68,43 @@ std::string bar_text(double bar) {
 /// A cell whose darkness is the index.
 std::string index_cell(double x, double y, double w, const Interval& index) {
   const double share = std::isfinite(index.value) ? index.value : 0;
-  return box(x, y, w, row_height,
-             fmt::format("fill=\"{}\" fill-opacity=\"{:.2f}\" stroke=\"#ddd\"", bar_colour, share)) +
-         text_at(x + 0.5 * w, y + 16, "middle", std::isfinite(index.value) ? fmt::format("{:.2f}", share) : "?", 11,
-                 share > 0.6 ? "fill=\"white\"" : "");
+  return svg::rectangle(x, y, w, row_height,
+                        fmt::format("fill=\"{}\" fill-opacity=\"{:.2f}\" stroke=\"#ddd\"", bar_colour, share)) +
+         svg::text(x + 0.5 * w, y + 16, "middle", std::isfinite(index.value) ? fmt::format("{:.2f}", share) : "?", 11,
+                   share > 0.6 ? "fill=\"white\"" : "");
 }
 
 /// Total indices of all quantities, a column a tolerance in the order of the ranking.
 void draw_indices(const UncertaintyPlan& plan, const UncertaintyResult& result, const Ranking& ranking, Page& page) {
   const double bars = 270, cell = std::min(90.0, (span() - bars) / double(ranking.order.size()));
-  page.svg += text_at(20, page.y, "start", "Quantities: total index of each tolerance (?: no effect above the noise)",
-                      14, "font-weight=\"bold\"");
+  page.drawn +=
+      svg::text(20, page.y, "start", "Quantities: total index of each tolerance (?: no effect above the noise)", 14,
+                "font-weight=\"bold\"");
   page.y += 20;
   for (std::size_t column = 0; column < ranking.order.size(); ++column)
-    page.svg += text_at(left + bars + cell * (double(column) + 0.5), page.y, "middle", fmt::format("{}", column + 1),
-                        12, "font-weight=\"bold\"");
-  page.svg += text_at(left + bars - 10, page.y, "end", "value, bars: numerical, tolerances, both");
+    page.drawn += svg::text(left + bars + cell * (double(column) + 0.5), page.y, "middle",
+                            fmt::format("{}", column + 1), 12, "font-weight=\"bold\"");
+  page.drawn += svg::text(left + bars - 10, page.y, "end", "value, bars: numerical, tolerances, both");
   page.y += 8;
   for (const UncertainQuantity& quantity : result.quantities) {
     const bool poor = has_effect(quantity.effects) && quantity.effects.q2() < good_q2;
-    page.svg += text_at(left - 10, page.y + 16, "end", quantity.name + (poor ? " *" : ""));
-    page.svg +=
-        text_at(left + bars - 10, page.y + 16, "end",
-                fmt::format("{:.4g} {}:  {}  {}  {}", quantity.at_mean, quantity.unit, bar_text(quantity.numerical),
-                            bar_text(quantity.tolerance_bar()), bar_text(quantity.bar())));
+    page.drawn += svg::text(left - 10, page.y + 16, "end", quantity.name + (poor ? " *" : ""));
+    page.drawn +=
+        svg::text(left + bars - 10, page.y + 16, "end",
+                  fmt::format("{:.4g} {}:  {}  {}  {}", quantity.at_mean, quantity.unit, bar_text(quantity.numerical),
+                              bar_text(quantity.tolerance_bar()), bar_text(quantity.bar())));
     const SobolIndices indices = sobol_indices(quantity.effects);
     for (std::size_t column = 0; column < ranking.order.size(); ++column)
-      page.svg += index_cell(left + bars + cell * double(column), page.y, cell, indices.total[ranking.order[column]]);
+      page.drawn += index_cell(left + bars + cell * double(column), page.y, cell, indices.total[ranking.order[column]]);
     page.y += row_height;
   }
   page.y += 18;
   std::string keys;
   for (std::size_t column = 0; column < ranking.order.size(); ++column)
     keys += fmt::format("{}{} {}", column > 0 ? ", " : "", column + 1, plan.tolerances[ranking.order[column]].key);
-  page.svg += text_at(20, page.y, "start", keys, 11);
+  page.drawn += svg::text(20, page.y, "start", keys, 11);
   page.y += 16;
-  page.svg += text_at(
+  page.drawn += svg::text(
       20, page.y, "start",
       fmt::format("* the surrogate explains less than {:.0f} % of runs that it has not seen", 100 * good_q2), 11);
   page.y += 40;
@@ -129,17 +120,18 @@ struct Frame {
 /// A band about the wall, place by place; broken where the wall is.
 std::string band(const UncertaintyResult& result, const Frame& frame, double (*bar)(const UncertainQuantity&),
                  const std::string& style) {
-  std::string path;
+  svg::Path path;
   for (std::size_t i = 1; i < result.wall.size(); ++i) {
     const UncertainPlace &a = result.wall[i - 1], &b = result.wall[i];
     if (b.share - a.share > 0.02) continue;
     const double x1 = frame.x(a.share), x2 = frame.x(b.share), at1 = a.thickness.at_mean, at2 = b.thickness.at_mean;
-    path +=
-        fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z", x1, frame.y(at1 + bar(a.thickness)),
-                    x2, frame.y(at2 + bar(b.thickness)), x2, frame.y(std::max(0.0, at2 - bar(b.thickness))), x1,
-                    frame.y(std::max(0.0, at1 - bar(a.thickness))));
+    path.move(x1, frame.y(at1 + bar(a.thickness)))
+        .to(x2, frame.y(at2 + bar(b.thickness)))
+        .to(x2, frame.y(std::max(0.0, at2 - bar(b.thickness))))
+        .to(x1, frame.y(std::max(0.0, at1 - bar(a.thickness))))
+        .close();
   }
-  return fmt::format("<path d=\"{}\" {}/>\n", path, style);
+  return path.drawn(style);
 }
 
 double numerical_of(const UncertainQuantity& quantity) {
@@ -155,28 +147,27 @@ double none_of(const UncertainQuantity&) {
 }
 
 void draw_wall(const UncertaintyResult& result, Page& page) {
-  page.svg +=
-      text_at(20, page.y, "start", "Wall thickness, mm, over the share of the outer arc", 14, "font-weight=\"bold\"");
-  page.svg += text_at(20, page.y + 17, "start",
-                      "light: tolerances (two standard deviations) and numerics together; dark: numerics alone");
+  page.drawn +=
+      svg::text(20, page.y, "start", "Wall thickness, mm, over the share of the outer arc", 14, "font-weight=\"bold\"");
+  page.drawn += svg::text(20, page.y + 17, "start",
+                          "light: tolerances (two standard deviations) and numerics together; dark: numerics alone");
   std::vector<double> heights;
   for (const UncertainPlace& place : result.wall) heights.push_back(place.thickness.at_mean + place.thickness.bar());
   std::sort(heights.begin(), heights.end());
   const Frame frame{page.y + 30, 1.15 * heights[heights.size() * 97 / 100]};
   for (int i = 0; i <= 4; ++i) {
     const double at = 0.25 * i * frame.highest;
-    page.svg += segment(frame.x(0), frame.y(at), frame.x(1), frame.y(at), "stroke=\"#e4e4e4\"");
-    page.svg += text_at(frame.x(0) - 8, frame.y(at) + 4, "end", fmt::format("{:.3g}", at));
+    page.drawn += svg::line(frame.x(0), frame.y(at), frame.x(1), frame.y(at), "stroke=\"#e4e4e4\"");
+    page.drawn += svg::text(frame.x(0) - 8, frame.y(at) + 4, "end", fmt::format("{:.3g}", at));
   }
   for (int i = 0; i <= 10; i += 2)
-    page.svg += text_at(frame.x(0.1 * i), frame.y(0) + 16, "middle", fmt::format("{:.1f}", 0.1 * i));
-  page.svg += fmt::format(
-      "<clipPath id=\"wall\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>"
-      "</clipPath>\n<g clip-path=\"url(#wall)\">\n",
-      frame.x(0), frame.top, frame.x(1) - frame.x(0), wall_height);
-  page.svg += band(result, frame, both_of, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", wall_colour));
-  page.svg += band(result, frame, numerical_of, fmt::format("fill=\"{}\" fill-opacity=\"0.5\"", wall_colour));
-  page.svg += band(result, frame, none_of, "fill=\"none\" stroke=\"#222\" stroke-width=\"1.5\"") + "</g>\n";
+    page.drawn += svg::text(frame.x(0.1 * i), frame.y(0) + 16, "middle", fmt::format("{:.1f}", 0.1 * i));
+  page.drawn += "<clipPath id=\"wall\">" +
+                svg::rectangle(frame.x(0), frame.top, frame.x(1) - frame.x(0), wall_height, "") +
+                "</clipPath>\n<g clip-path=\"url(#wall)\">\n";
+  page.drawn += band(result, frame, both_of, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", wall_colour));
+  page.drawn += band(result, frame, numerical_of, fmt::format("fill=\"{}\" fill-opacity=\"0.5\"", wall_colour));
+  page.drawn += band(result, frame, none_of, "fill=\"none\" stroke=\"#222\" stroke-width=\"1.5\"") + "</g>\n";
   page.y = frame.y(0) + 40;
 }
 
@@ -188,10 +179,7 @@ std::string uncertainty_picture(const UncertaintyPlan& plan, const UncertaintyRe
   draw_ranking(plan, ranking, page);
   draw_indices(plan, result, ranking, page);
   if (!result.wall.empty()) draw_wall(result, page);
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" viewBox=\"0 0 {0} {1:.0f}\" "
-      "font-family=\"sans-serif\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{2}</svg>\n",
-      width, page.y, page.svg);
+  return svg::picture(width, page.y, page.drawn, "fill=\"#222\"");
 }
 
 }  // namespace parison::forming
