@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/erfcx.hpp"
 #include "thermal/skin_column.hpp"
 
 namespace parison::thermal {
@@ -21,10 +22,9 @@ double effusivity(const SkinSide& side) {
 /// Heat through the surface for a jump of 1 K, J/m2, from the sum of the inverse effusivities.
 double exact_heat(double inverse_effusivity, double h, double time) {
   const double y = h * inverse_effusivity * std::sqrt(time);
-  constexpr double small = 1e-4, large = 20;
+  constexpr double small = 1e-4;
   if (y < small) return h * time * (1 - 4 * y / (3 * std::sqrt(M_PI)));
-  const double scaled = y < large ? std::exp(y * y) * std::erfc(y) : (1 - 0.5 / (y * y)) / (y * std::sqrt(M_PI));
-  return h * time * ((scaled - 1) / (y * y) + 2 / (y * std::sqrt(M_PI)));
+  return h * time * ((core::erfcx(y) - 1) / (y * y) + 2 / (y * std::sqrt(M_PI)));
 }
 
 /// Heat that the unknowns which are `hot`, 1, give up in a time, J/m2: by the conductance h times the `jump` between

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/erfcx.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "thermal/properties.hpp"
 
@@ -19,9 +20,7 @@ double effusivity(const thermal::Material& material, double temperature, double 
 double exchanged(double h, double resistance, double time) {
   const double H = h * resistance, x = H * std::sqrt(time);
   if (x < 1e-3) return time * (1 - 4 * x / (3 * std::sqrt(M_PI)));  // else cancelled away
-  // exp(x^2) erfc(x), by its leading terms where that would overflow.
-  const double tail = x < 20 ? std::exp(x * x) * std::erfc(x) : (1 - 0.5 / (x * x)) / (x * std::sqrt(M_PI));
-  return (tail - 1 + 2 * x / std::sqrt(M_PI)) / (H * H);
+  return (core::erfcx(x) - 1 + 2 * x / std::sqrt(M_PI)) / (H * H);
 }
 
 double max_conductance(const Scene& scene, std::size_t tool) {
