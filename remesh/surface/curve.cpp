@@ -12,22 +12,32 @@ using core::Mesh;
 using core::Point;
 using Edge = std::array<Index, 3>;
 
-namespace {
+Point point_on(const Mesh& mesh, const Edge& edge, double s) {
+  const auto n = core::edge_shape(s);
+  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
+}
 
 Point derivative(const Mesh& mesh, const Edge& edge, double s) {
   const auto d = core::edge_shape_derivative(s);
   return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
 }
 
-}  // namespace
-
-Point point_on(const Mesh& mesh, const Edge& edge, double s) {
-  const auto n = core::edge_shape(s);
-  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
-}
-
 Point tangent(const Mesh& mesh, const Edge& edge, double s) {
   return derivative(mesh, edge, s).normalized();
+}
+
+Point outward_normal(const Mesh& mesh, const Edge& edge, double s) {
+  const Point along = tangent(mesh, edge, s);
+  return {along[1], -along[0]};
+}
+
+std::vector<Point> normal_sums(const Mesh& mesh, const std::vector<bool>& counts) {
+  constexpr std::array<double, 3> ends{0, 1, 0.5};
+  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    for (int k = 0; k < 3 && counts[edge.boundary_id]; ++k)
+      normals[edge.nodes[k]] += outward_normal(mesh, edge.nodes, ends[k]);
+  return normals;
 }
 
 double arc_length(const Mesh& mesh, const Edge& edge, double s) {

@@ -24,10 +24,16 @@ std::vector<Link> boundary_links(const core::Mesh& mesh);
 /// the ends of boundaries are kept. Cells and nodes are not changed.
 core::Mesh without_collapsed_edges(core::Mesh mesh, const std::vector<bool>& contact = {});
 
-/// Point, m, unit tangent, and arc length from s = 0, m, of a quadratic edge (first, last, mid) at s in [0, 1].
+/// Point, m, derivative by s, unit tangent, unit normal to its right (outward of the body), and arc length from s = 0,
+/// m, of a quadratic edge (first, last, mid) at s in [0, 1].
 core::Point point_on(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
+core::Point derivative(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
 core::Point tangent(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
+core::Point outward_normal(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
 double arc_length(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double s);
+/// At each node the sum of the outward unit normals of the edges that meet there, of the boundaries with `counts` set
+/// alone (one flag per boundary); zero at other nodes.
+std::vector<core::Point> normal_sums(const core::Mesh& mesh, const std::vector<bool>& counts);
 /// The parameter s at which the arc length is `length`; by Newton's method.
 double at_arc_length(const core::Mesh& mesh, const std::array<core::Index, 3>& edge, double length);
 /// The parameter s of the point closest to x; by the Gauss-Newton method from the closest of five points.

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/element.hpp"
+#include "remesh/surface/boundary_rays.hpp"
+#include "remesh/surface/curve.hpp"
 
 namespace parison::forming {
 namespace {
@@ -19,57 +20,8 @@ constexpr int most_reflections = 4;
 
 using EdgeNodes = std::array<Index, 3>;
 
-Point edge_point(const core::Mesh& mesh, const EdgeNodes& edge, double s) {
-  const auto n = core::edge_shape(s);
-  return n[0] * mesh.nodes[edge[0]] + n[1] * mesh.nodes[edge[1]] + n[2] * mesh.nodes[edge[2]];
-}
-
-Point edge_derivative(const core::Mesh& mesh, const EdgeNodes& edge, double s) {
-  const auto d = core::edge_shape_derivative(s);
-  return d[0] * mesh.nodes[edge[0]] + d[1] * mesh.nodes[edge[1]] + d[2] * mesh.nodes[edge[2]];
-}
-
-Point outward_normal(const core::Mesh& mesh, const EdgeNodes& edge, double s) {
-  const Point along = edge_derivative(mesh, edge, s).normalized();
-  return {along[1], -along[0]};
-}
-
 Point mirrored(const Point& vector, const Point& normal) {
   return vector - 2 * vector.dot(normal) * normal;
-}
-
-struct Hit {
-  double distance = infinity;
-  Index edge = -1;
-  double position = 0;
-};
-
-/// Where the ray along a unit vector leaves the body across one edge, if nearer than `hit`.
-void try_edge(const core::Mesh& mesh, const Point& start, const Point& direction, Index index, Hit& hit) {
-  const EdgeNodes& edge = mesh.boundary_edges()[index].nodes;
-  const Point left(-direction[1], direction[0]), chord = mesh.nodes[edge[1]] - mesh.nodes[edge[0]];
-  const double a = left.dot(mesh.nodes[edge[0]] - start), b = left.dot(mesh.nodes[edge[1]] - start);
-  const double slack = 1e-9 * chord.norm();
-  // A ray that leaves sees the edge pass from right to left.
-  if (a > slack || b < -slack || b - a <= grazing * chord.norm()) return;
-  double s = std::clamp(a / (a - b), 0.0, 1.0);
-  for (int pass = 0; pass < 4; ++pass) {
-    const double derivative = left.dot(edge_derivative(mesh, edge, s));
-    if (derivative > 0) s = std::clamp(s - left.dot(edge_point(mesh, edge, s) - start) / derivative, 0.0, 1.0);
-  }
-  const double distance = direction.dot(edge_point(mesh, edge, s) - start);
-  if (distance > 0 && distance < hit.distance) hit = {distance, index, s};
-}
-
-/// First edge at which a ray leaves the body; neither edges at `node` nor the edge `skipped` count.
-Hit first_exit(const core::Mesh& mesh, const Point& start, const Point& direction, Index node, Index skipped) {
-  Hit hit;
-  for (Index edge = 0; edge < static_cast<Index>(mesh.boundary_edges().size()); ++edge) {
-    const EdgeNodes& nodes = mesh.boundary_edges()[edge].nodes;
-    if (edge != skipped && std::find(nodes.begin(), nodes.end(), node) == nodes.end())
-      try_edge(mesh, start, direction, edge, hit);
-  }
-  return hit;
 }
 
 bool on_axis(const core::Mesh& mesh, core::Geometry geometry, Index edge) {
@@ -89,8 +41,8 @@ Point middle_of(const std::vector<Point>& corners, double length) {
   return corners.back();
 }
 
-Ray ray_from(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& symmetry, Index node,
-             const Point& inward) {
+Ray ray_from(const core::Mesh& mesh, const remesh::BoundaryRays& exits, core::Geometry geometry,
+             const std::vector<bool>& symmetry, Index node, const Point& inward) {
   Ray ray;
   ray.start = mesh.nodes[node];
   ray.direction = inward;
@@ -98,11 +50,11 @@ Ray ray_from(const core::Mesh& mesh, core::Geometry geometry, const std::vector<
   Point direction = inward;
   double length = 0;
   for (Index from = node, skipped = -1; ray.reflections <= most_reflections; from = -1, ++ray.reflections) {
-    const Hit hit = first_exit(mesh, corners.back(), direction, from, skipped);
+    const auto hit = exits.first_exit({corners.back(), direction, from, skipped});
     if (hit.edge < 0) return ray;
     const core::BoundaryEdge& edge = mesh.boundary_edges()[hit.edge];
-    const Point normal = outward_normal(mesh, edge.nodes, hit.position);
-    corners.push_back(edge_point(mesh, edge.nodes, hit.position));
+    const Point normal = remesh::outward_normal(mesh, edge.nodes, hit.position);
+    corners.push_back(remesh::point_on(mesh, edge.nodes, hit.position));
     length += hit.distance;
     if (!symmetry[edge.boundary_id]) {
       ray.length = length;
@@ -123,15 +75,14 @@ Ray ray_from(const core::Mesh& mesh, core::Geometry geometry, const std::vector<
 /// Outward unit normal at each surface node, the mean of those of the edges that meet there and, on a symmetry
 /// boundary, of their mirror images; zero at other nodes.
 std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
-  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
+  std::vector<bool> counts = symmetry;
+  counts.flip();
+  std::vector<Point> normals = remesh::normal_sums(mesh, counts);
   constexpr std::array<double, 3> positions{0, 1, 0.5};
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    for (int k = 0; k < 3 && !symmetry[edge.boundary_id]; ++k)
-      normals[edge.nodes[k]] += outward_normal(mesh, edge.nodes, positions[k]);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (int k = 0; k < 3 && symmetry[edge.boundary_id]; ++k) {
       Point& normal = normals[edge.nodes[k]];
-      const Point across = outward_normal(mesh, edge.nodes, positions[k]);
+      const Point across = remesh::outward_normal(mesh, edge.nodes, positions[k]);
       normal -= normal.dot(across) * across;
     }
   for (Point& normal : normals)
@@ -144,12 +95,13 @@ std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>&
 std::vector<Ray> surface_rays(const core::Mesh& mesh, core::Geometry geometry) {
   const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, core::BoundaryKind::symmetry);
   const std::vector<Point> normals = node_normals(mesh, symmetry);
+  const remesh::BoundaryRays exits(mesh, grazing);
   std::vector<Ray> rays(mesh.nodes.size());
   std::vector<bool> done(mesh.nodes.size(), false);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (const Index node : edge.nodes) {
       if (symmetry[edge.boundary_id] || done[node] || normals[node].norm() < 0.5) continue;
-      rays[node] = ray_from(mesh, geometry, symmetry, node, -normals[node]);
+      rays[node] = ray_from(mesh, exits, geometry, symmetry, node, -normals[node]);
       done[node] = true;
     }
   return rays;

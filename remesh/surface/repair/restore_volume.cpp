@@ -2,11 +2,11 @@
 #include "remesh/surface/repair/restore_volume.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/mesh/element.hpp"
 #include "core/mesh/tolerances.hpp"
+#include "remesh/surface/curve.hpp"
 
 namespace parison::remesh {
 
@@ -43,13 +43,7 @@ double swept_area(const Mesh& mesh, core::Geometry geometry, const std::vector<P
 }
 
 std::vector<Point> surface_normals(const Mesh& mesh, const std::vector<bool>& counts) {
-  constexpr std::array<double, 3> ends{0, 1, 0.5};
-  std::vector<Point> normals(mesh.nodes.size(), Point::Zero());
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
-    if (!counts[edge.boundary_id]) continue;
-    for (int k = 0; k < 3; ++k)
-      normals[edge.nodes[k]] += core::map_edge_point(mesh, edge.nodes, core::Geometry::planar, {ends[k], 1}).normal;
-  }
+  std::vector<Point> normals = normal_sums(mesh, counts);
   for (Point& normal : normals)
     if (normal.norm() > 0) normal.normalize();
   return normals;
