@@ -28,16 +28,19 @@ struct Collected {
   std::vector<Index> index;
   Eigen::VectorXd value;  ///< zero but for those
 
-  explicit Collected(Index size) : value(Eigen::VectorXd::Zero(size)) {}
+  explicit Collected(Index size) : value(Eigen::VectorXd::Zero(size)), listed_(static_cast<std::size_t>(size)) {}
   void add(Index at, double x) {
-    if (value[at] == 0) index.push_back(at);
+    if (!listed_[static_cast<std::size_t>(at)]) index.push_back(at);
+    listed_[static_cast<std::size_t>(at)] = true;
     value[at] += x;
-    if (value[at] == 0) value[at] = 1e-300;  // stays listed once
   }
   void clear() {
-    for (const Index at : index) value[at] = 0;
+    for (const Index at : index) value[at] = 0, listed_[static_cast<std::size_t>(at)] = false;
     index.clear();
   }
+
+ private:
+  std::vector<bool> listed_;  ///< also where the value has underflowed to zero since
 };
 
 /// Light of one band along a ray.
