@@ -3,44 +3,24 @@
 
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/linear/anderson.hpp"
 #include "thermal/time/step_matrix.hpp"
 
 namespace parison::thermal {
 
 namespace {
 
-constexpr int anderson_depth = 4;
+constexpr std::size_t anderson_depth = 4;
 constexpr int max_updates = 20;
 constexpr int first_checked_update = 3;   ///< from this one on an update larger than an earlier one is a stall
 constexpr double gmres_fraction = 1e-2;   ///< relative residual of GMRES for an update of Newton-Krylov
 constexpr int max_gmres_products = 12;    ///< for an update of Newton-Krylov
 constexpr double min_damping = 1.0 / 64;  ///< smallest factor on an update of Newton-Krylov
-
-/// Anderson acceleration: the last few differences of iterates and of their Newton updates.
-struct AndersonHistory {
-  Eigen::MatrixXd iterate, update;
-  int filled = 0;
-
-  explicit AndersonHistory(Index size) : iterate(size, anderson_depth), update(size, anderson_depth) {}
-  void add(const Eigen::VectorXd& iterate_change, const Eigen::VectorXd& update_change) {
-    const int at = filled++ % anderson_depth;
-    iterate.col(at) = iterate_change;
-    update.col(at) = update_change;
-  }
-  /// Accelerated update from a Newton update f: f - (dX + dF) w, with w the least-squares solution of dF w = f.
-  Eigen::VectorXd move(const Eigen::VectorXd& newton) const {
-    const int n = std::min(filled, anderson_depth);
-    if (n == 0) return newton;
-    const Eigen::VectorXd weights = update.leftCols(n).colPivHouseholderQr().solve(newton);
-    return newton - (iterate.leftCols(n) + update.leftCols(n)) * weights;
-  }
-};
 
 /// Newton's update with the full derivative, those of conductivity and conductance included, by GMRES preconditioned
 /// with the factor; `modified_update` is the update of modified Newton, the preconditioned right-hand side.
@@ -89,7 +69,7 @@ bool is_solved(const Iterate& at, double size, double last_scaled, double tolera
 /// Modified Newton with Anderson acceleration; false where it stalls, `at` being the last iterate.
 bool solve_by_modified_newton(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
                               double tolerance, Iterate& at) {
-  AndersonHistory history(system.size());
+  core::AndersonAcceleration history(anderson_depth);
   Eigen::VectorXd last_update, last_move;
   double smallest = std::numeric_limits<double>::infinity();
   for (int updates = 0; updates < max_updates; ++updates) {
@@ -100,8 +80,8 @@ bool solve_by_modified_newton(const HeatSystem& system, const StepMatrix& matrix
     at.stage.converged = updates > 0 && size <= tolerance;
     if (at.stage.converged) return true;
     if (!std::isfinite(size) || (updates >= first_checked_update && size > smallest)) return false;
-    if (last_update.size()) history.add(last_move, update - last_update);
-    last_move = history.move(update);
+    if (last_update.size()) history.add(last_move + (update - last_update), update - last_update);
+    last_move = history.accelerated(update, update);
     last_update = update;
     smallest = std::min(smallest, size);
     move_to(system, matrix, equation, at.stage.temperature + last_move, at);

@@ -1,10 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/anderson.hpp"
 #include "forming/flow/problem.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "forming/step/balance/expansion.hpp"
-#include "forming/step/flow/fixed_point.hpp"
 
 namespace parison::forming {
 
@@ -13,9 +13,10 @@ struct MidpointPredictor {
   Eigen::VectorXd velocity, temperature;  ///< of the glass nodes, m/s, K
   bool trusted = false;  ///< the velocity: it comes from a coupling iteration, or a smooth motion predicts it
   std::vector<flow::ContactCandidate>
-      bounds;                 ///< of earlier coupling iterations, for nodes that later bounds did not keep out
-  FixedPoint iteration = {};  ///< of the velocity
-  Expansion expansion = {};   ///< until the step's end
+      bounds;  ///< of earlier coupling iterations, for nodes that later bounds did not keep out
+  /// Of the velocity: plain iteration diverges where a wall under pressure bends faster than the step.
+  core::AndersonAcceleration iteration = core::AndersonAcceleration();
+  Expansion expansion = {};  ///< until the step's end
 };
 
 /// Removes from a nodal velocity (two per node, m/s) what crosses the symmetry lines of `mesh`, so that their nodes
