@@ -42,6 +42,7 @@ struct ControlledRun {
 struct AccuracyRecord {
   double target;  ///< share of the wall in the mean and of the heat into the tools
   std::vector<ControlledRun> runs;
+  std::vector<std::string> not_mended = {};  ///< checks that speak against the last run and that finer ones do not mend
   bool reached() const { return !runs.empty() && runs.back().estimate <= target && runs.back().condemned_by.empty(); }
 };
 

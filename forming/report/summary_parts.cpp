@@ -93,6 +93,9 @@ void add_control(core::JsonWriter& json, const AccuracyRecord& control) {
     json.close();
   }
   json.close();
+  json.open_list("not_mended");
+  for (const std::string& check : control.not_mended) json.add("", check);
+  json.close();
   json.close();
 }
 

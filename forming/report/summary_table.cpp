@@ -203,6 +203,10 @@ std::string control_lines(const ErrorBars& bars) {
   const std::vector<std::string> condemned =
       control.runs.empty() ? std::vector<std::string>() : control.runs.back().condemned_by;
   for (const std::string& check : condemned) text += fmt::format("  its checks speak against that: {}\n", check);
+  if (!control.not_mended.empty())
+    text += fmt::format(
+        "  finer runs do not bring {} within the limit, so none was made; the error reached is estimated at {:.2g} %\n",
+        fmt::join(control.not_mended, ", "), 100 * control.runs.back().estimate);
   return text + fmt::format("  {}, {:.1f} s CPU in all\n", control.reached() ? "reached" : "not reached", seconds);
 }
 

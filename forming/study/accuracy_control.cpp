@@ -80,17 +80,29 @@ double AccuracyControl::likely_error() const {
   return std::sqrt((1 + scatter * scatter) * squares / weights) * std::pow(completed_.back().factor, order);
 }
 
+bool AccuracyControl::mends(const Check& check, double now) const {
+  if (check.kind == CheckKind::scene) return false;
+  const auto before = excesses_.find(check.name);
+  if (before == excesses_.end()) return true;
+  const double finer = completed_.back().factor / factor_;
+  const double order_seen = std::log(before->second / now) / std::log(finer);
+  const std::size_t left = most_runs - std::min(most_runs, record_.runs.size());
+  const double reach = std::min(std::pow(most_refinement, double(left)), factor_ / min_coarsening);
+  return now <= std::pow(reach, order_seen);
+}
+
 void AccuracyControl::judge(const Checks& checks) {
-  double worst = 0;
-  bool may_help = true;
+  std::map<std::string, double> excesses;
+  excess_ = 0;
+  record_.not_mended.clear();
   for (const Check& check : checks)
     if (const double found = excess(check, record_.target); found > 1) {
       record_.runs.back().condemned_by.push_back(value_and_limit(check));
-      may_help = may_help && check.kind != CheckKind::scene;
-      worst = std::max(worst, found);
+      if (!mends(check, found)) record_.not_mended.push_back(check.name);
+      excesses[check.name] = found;
+      excess_ = std::max(excess_, found);
     }
-  helpless_ = worst > 0 && (!may_help || (excess_ > 0 && worst >= excess_));
-  excess_ = worst;
+  excesses_ = std::move(excesses);
 }
 
 void AccuracyControl::add(const std::optional<Quantities>& run, double cpu_seconds, const Checks& checks) {
@@ -125,7 +137,7 @@ std::vector<CoarserRun> AccuracyControl::coarser() const {
 
 bool AccuracyControl::finished() const {
   const bool near_enough = !record_.runs.empty() && record_.runs.back().estimate <= record_.target;
-  return record_.reached() || (near_enough && helpless_) || record_.runs.size() >= most_runs ||
+  return record_.reached() || (near_enough && !record_.not_mended.empty()) || record_.runs.size() >= most_runs ||
          (!record_.runs.empty() && factor_ / least_refinement < min_coarsening);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,14 +40,18 @@ class AccuracyControl {
  private:
   /// Error of the last completed run, a share; at least two have been completed.
   double likely_error() const;
-  /// Notes the checks that speak against the last run, and whether finer runs may mend them.
+  /// Notes the checks that speak against the last run, and which of them finer runs do not mend.
   void judge(const Checks& checks);
+  /// Whether finer runs may bring within what is allowed a check that exceeds it by the factor `now`: none that a finer
+  /// mesh does not change, nor one that falls with the edges, as in the last two completed runs, too slowly for all
+  /// runs that are left.
+  bool mends(const Check& check, double now) const;
 
   AccuracyRecord record_;
   double factor_;
-  double excess_ = 0;      ///< of the worst check that speaks against the last completed run, over what is allowed
-  bool helpless_ = false;  ///< finer runs do not mend what the checks say
-  std::vector<CoarserRun> completed_;  ///< factors in units of draft
+  double excess_ = 0;  ///< of the worst check that speaks against the last completed run, over what is allowed
+  std::map<std::string, double> excesses_;  ///< of each such check
+  std::vector<CoarserRun> completed_;       ///< factors in units of draft
 };
 
 }  // namespace parison::forming

@@ -105,6 +105,15 @@ TEST(Accuracy, the_table_says_what_an_accuracy_asked_for_is_that_of) {
             "accuracy asked for: 2 % of each of the quantities above, as there is no wall and no heat into tools");
 }
 
+TEST(Accuracy, the_table_says_which_check_finer_runs_do_not_mend_and_what_was_reached) {
+  ErrorBars bars{{}, 0.01, 0.01, 0.01, {}, AccuracyRecord{0.02, {{1, 0, true, 0.0045, {"flow_resolution is 35 %"}}}}};
+  EXPECT_EQ(error_table(bars).find("finer runs"), std::string::npos);
+  bars.control->not_mended = {"flow_resolution"};
+  EXPECT_NE(error_table(bars).find("finer runs do not bring flow_resolution within the limit, so none was made; the "
+                                   "error reached is estimated at 0.45 %"),
+            std::string::npos);
+}
+
 const char* const measured = R"({ "some_models": { "scenes": [
   { "models": { "cheap": { "thickness": 0.1, "thinnest": 0.3, "heat": 0.04, "skin_K": 20 } } },
   { "models": { "cheap": { "thickness": 0.2, "heat": 0.02, "skin_K": 50 } } } ] } })";
