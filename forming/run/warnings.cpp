@@ -158,6 +158,20 @@ Warnings remeshing_warnings(const State& state) {
   return warnings;
 }
 
+namespace {
+
+/// What came to a tool that the glass never touched through the faces that it could touch, with an enclosure.
+std::string exchanged_by_light(const Scene& scene, const Tool& tool, const ToolState& body) {
+  if (!scene.enclosure || body.heat_from_enclosure == 0) return "";
+  double gained = 0;
+  for (std::size_t i = 0; i < body.heat_through.size(); ++i)
+    if (tool.boundaries[i].kind == BoundaryKind::contact) gained -= body.heat_through[i];
+  return fmt::format(" by contact; {:.4g} J {} {} through its open faces by light and air", std::abs(gained),
+                     gained < 0 ? "left" : "came to", tool.name);
+}
+
+}  // namespace
+
 Warnings unused_interface_warnings(const Scene& scene, const State& state) {
   Warnings warnings;
   for (const Interface& interface : scene.interfaces) {
@@ -169,10 +183,7 @@ Warnings unused_interface_warnings(const Scene& scene, const State& state) {
           "passed between them{2}. Where it should reach it, the glass was too cold or too little, or was not pressed "
           "or "
           "blown far enough, or the tool is not where it should be (`parison check --picture` draws it)",
-          tool.name, 1e3 * interface.transition_gap,
-          body.heat_from_enclosure == 0
-              ? ""
-              : fmt::format(" by contact; {:.4g} J came to {} as light", body.heat_from_enclosure, tool.name)));
+          tool.name, 1e3 * interface.transition_gap, exchanged_by_light(scene, tool, body)));
   }
   return warnings;
 }
