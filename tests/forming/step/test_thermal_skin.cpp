@@ -7,6 +7,7 @@
 #include "../scene_text.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/run/folder_run.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/state/skin_size.hpp"
 
 namespace parison::forming {
@@ -16,8 +17,8 @@ struct Contact {
   double h = 2000, time = 1, tool_conductivity = 46, jump = 600;
 };
 
-/// Heat of the disc and its plate over the exact one, less 1. Neither skin reaches an end in the times here.
-double error(const Contact& contact) {
+/// The disc on its plate, which does not flow.
+std::string disc_on_plate(const Contact& contact) {
   auto text = replaced("viscosity = { law = \"constant\", value = \"1e4 Pa.s\" }\n", "");
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
   text = replaced("duration = \"1 s\"", fmt::format("duration = \"{:g} s\"", contact.time), text);
@@ -25,7 +26,12 @@ double error(const Contact& contact) {
   text = replaced("\"46 W/m/K\"", fmt::format("\"{:g} W/m/K\"", contact.tool_conductivity), text);
   text =
       replaced("temperature = \"1000 degC\"", fmt::format("temperature = \"{:.12g} degC\"", 400 + contact.jump), text);
-  const auto outcome = run_in_folder(scene_of(text), tests::absent_folder());
+  return text;
+}
+
+/// Heat of the disc and its plate over the exact one, less 1. Neither skin reaches an end in the times here.
+double error(const Contact& contact) {
+  const auto outcome = run_in_folder(scene_of(disc_on_plate(contact)), tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_EQ(complaints(outcome.facts.checks), std::vector<std::string>{});
   const double e1 = std::sqrt(1.3 * 2400 * 1300), e2 = std::sqrt(contact.tool_conductivity * 7200 * 490);
@@ -55,6 +61,18 @@ TEST(ThermalSkin, a_jump_of_a_millikelvin_gives_heat_in_proportion) {
 TEST(ThermalSkin, contact_better_than_perfect_is_perfect_and_ends) {
   EXPECT_LT(error({1e12, 0.2}), 1e-2);
   EXPECT_LT(error({1e18, 0.2}), 1e-2);
+}
+
+TEST(ThermalSkin, glass_at_rest_has_more_cells_the_finer_the_preset) {
+  for (const double time : {0.02, 0.5, 10.0}) {
+    const auto cells = [&](const char* preset) {
+      return initial_state(scene_of(disc_on_plate({2000, time}), preset)).glass.mesh.cells().size();
+    };
+    const auto draft = cells("draft"), standard = cells("standard"), fine = cells("fine");
+    std::printf("%g s: %zu, %zu, %zu cells\n", time, draft, standard, fine);
+    EXPECT_GT(standard, draft);
+    EXPECT_GT(fine, standard);
+  }
 }
 
 TEST(ThermalSkin, of_a_mapped_mesh_knows_how_its_divisions_grow) {
