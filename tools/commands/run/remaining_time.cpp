@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "forming/scene/preset_scales.hpp"
+#include "forming/step/step_control.hpp"
 
 namespace parison::tools {
 namespace {
@@ -33,6 +34,17 @@ double quiet_steps(const Scene& scene, const Stage& stage) {
   constexpr double growth = 1.5;
   const double longest = forming::longest_step(scene, stage);
   return std::log(longest / scene.accuracy.initial_step) / std::log(growth) + stage.duration / longest;
+}
+
+/// Steps to come in a stage of which so many were expected: what is left of them, or of its time where it has taken
+/// more and nothing but its duration ends it.
+double steps_to_come(const forming::RunView& run, double taken, double expected) {
+  constexpr double least = 0.1;  // of those taken
+  if ((1 + least) * taken <= expected) return expected - taken;
+  const Stage& stage = run.scene.stages[static_cast<std::size_t>(run.state.stage)];
+  if (stage.may_end_early()) return least * taken;
+  const double over = run.state.stage_time / forming::longest_stage_time(run.scene, run.state);
+  return std::max(least * taken, (1 - over) * expected);
 }
 
 }  // namespace
@@ -75,13 +87,10 @@ double RemainingTime::fraction_done(const forming::RunView& run) {
   const double weight = std::accumulate(expected_.begin(), expected_.end(), 0.0);
   const auto seen_over_expected = [&](double seen, double expected) { return (seen + weight) / (expected + weight); };
   double ratio = seen_over_expected(before, expected_of_done_);
-  constexpr double more_than_seen = 1.1;
-  const double whole_stage = std::max(more_than_seen * here, ratio * expected_[stage]);
+  double to_come = steps_to_come(run, here, ratio * expected_[stage]);
   ratio = std::max(ratio, seen_over_expected(before + here, expected_of_done_ + expected_[stage]));
-  double to_come = whole_stage - here;
   for (std::size_t i = stage + 1; i < expected_.size(); ++i) to_come += ratio * expected_[i];
-  fraction_ = std::max(fraction_, (before + here) / std::max(before + here + to_come, 1.0));
-  return fraction_;
+  return (before + here) / std::max(before + here + to_come, 1.0);
 }
 
 }  // namespace parison::tools

@@ -18,7 +18,7 @@ class RemainingTime {
   void stage_begins(const forming::RunView& run);
 
   /// Share of the whole cost that is done, 0 to 1, by the steps of the stages over, of the present one and of those to
-  /// come. It never goes back where more steps are expected than before.
+  /// come.
   double fraction_done(const forming::RunView& run);
 
  private:
@@ -26,7 +26,6 @@ class RemainingTime {
   forming::Index steps_at_stage_ = 0;  ///< done when the present stage began
   double expected_of_done_ = 0;        ///< of the stages over, since the run was taken up
   forming::Index steps_at_start_ = 0;  ///< done when the run was taken up
-  double fraction_ = 0;                ///< the last that was told
 };
 
 }  // namespace parison::tools
