@@ -10,6 +10,7 @@
 #include "core/mesh/element.hpp"
 #include "figure.hpp"
 #include "forming/pot_scene.hpp"
+#include "forming/report/checks/checks.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/run/run.hpp"
 #include "forming/scene_text.hpp"
@@ -87,6 +88,10 @@ TEST(Density, a_ball_that_cools_from_1150_to_20_degC_has_its_size_and_at_each_st
               state.totals.max_drift);
   size.at_most(1e-4);
   mass.at_most(1e-12);
+  // Nothing loads the ball: what its skin does to its middle is not lost in glass that should be stiffer.
+  EXPECT_GT(state.totals.capped_work, 0);
+  for (const Check& check : checks(scene, state, {}))
+    if (check.name == std::string("viscosity_cap")) EXPECT_EQ(check.value, 0);
 }
 
 /// By how much the velocity of a cooling ball is off, of the largest, at the worst node and time from 10 s on.

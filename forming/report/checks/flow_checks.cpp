@@ -87,8 +87,9 @@ void add_mesh_checks(const Scene& scene, const State& state, Checks& checks) {
 void add_step_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
   const Totals& totals = state.totals;
   const double steps = std::max(1.0, static_cast<double>(totals.steps));
-  const double share_of_capped =
-      totals.capped_work != 0 ? totals.capped_work / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
+  // What unequal contraction gives is no load's: glass that should be stiffer would have it as stress.
+  const double capped = std::max(totals.capped_work - std::max(-totals.work.expansion, 0.0), 0.0);
+  const double share_of_capped = capped != 0 ? capped / std::max(totals.work.dissipation, least_loss(scene, state)) : 0;
   const double contacts = std::max(1.0, static_cast<double>(facts.solver_statistics.contacts));
   const Work& work = totals.work;
   const double lost = std::max(work.dissipation + work.friction + work.impact_loss, least_loss(scene, state));
