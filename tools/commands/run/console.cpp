@@ -27,8 +27,9 @@ void Console::step_taken(const forming::RunView& run, const forming::State&, con
   if (now - last_line_ < 1) return;
   last_line_ = now;
   const double fraction = remaining_.fraction_done(run);
+  shown_ = std::max(shown_, fraction);
   fmt::print("  {:<10} t {:8.4f} s  step {:5}  dt {:.2e} s  {:3.0f} %  about {:.0f} s left\n",
-             run.scene.stages[run.state.stage].name, run.state.time, run.state.totals.steps, report.dt, 100 * fraction,
+             run.scene.stages[run.state.stage].name, run.state.time, run.state.totals.steps, report.dt, 100 * shown_,
              (now - start_) * (1 - fraction) / std::max(fraction, 1e-3));
   std::fflush(stdout);
 }

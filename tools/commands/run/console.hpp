@@ -15,6 +15,7 @@ class Console : public forming::RunObserver {
 
  private:
   double start_ = 0, last_line_ = 0;  ///< wall clock, s
+  double shown_ = 0;                  ///< share of the run that the last line told as done; it never goes back
   RemainingTime remaining_;
 };
 
