@@ -119,15 +119,16 @@ void add_extent(const State& state, Quantities& found) {
   found.values.push_back({"extent_z_max", "mm", 1e3 * high[1], scale});
 }
 
-void add_tools(const Scene& scene, const State& state, const Summary& summary, Quantities& found) {
+void add_tools(const Scene& scene, const Summary& summary, Quantities& found) {
   for (std::size_t i = 0; i < std::min(scene.stages.size(), summary.run.stages.size()); ++i)
     if (scene.stages[i].may_end_early()) {
       const StageRecord& record = summary.run.stages[i];
       const double lasted = record.end - record.start;
       found.values.push_back({time_prefix + record.name, "s", lasted, lasted});
     }
-  for (std::size_t i = 0; i < scene.tools.size(); ++i)
-    if (const double peak = state.tools[i].peak_force; peak > 0)
+  const std::vector<double>& peak_force = summary.run.diagnostics.peak_force;
+  for (std::size_t i = 0; i < peak_force.size(); ++i)
+    if (const double peak = peak_force[i]; peak > 0)
       found.values.push_back({force_prefix + scene.tools[i].name, "N", peak, peak});
 }
 
@@ -166,7 +167,7 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
   if (scene.has_heat()) add_heat(scene, state, summary, rows, found);
   if (scene.has_flow()) {
     add_extent(state, found);
-    add_tools(scene, state, summary, found);
+    add_tools(scene, summary, found);
   }
   add_models(scene, found);
   return found;

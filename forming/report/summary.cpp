@@ -54,7 +54,7 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
   json.add("wall_seconds", summary.run.wall_seconds);
   json.add("cpu_seconds", summary.run.cpu_seconds);
   json.add("steps", static_cast<long>(state.totals.steps));
-  json.add("rejected_steps", static_cast<long>(state.totals.rejected));
+  json.add("rejected_steps", static_cast<long>(summary.run.diagnostics.steps.rejected));
   json.add("case_fingerprint", core::fingerprint_text(scene.fingerprint));
   json.add("state_fingerprint", core::fingerprint_text(fingerprint(state)));
   json.add("program_build", core::build_id());
@@ -93,8 +93,7 @@ void add_radiation(JsonWriter& json, const Scene& scene) {
   json.close();
 }
 
-void add_hottest_glass(JsonWriter& json, const Scene& scene, const State& state) {
-  const HottestGlass& hottest = state.totals.hottest_glass;
+void add_hottest_glass(JsonWriter& json, const Scene& scene, const HotGlass& hottest) {
   json.open_object("glass_above_sources");
   json.add("kelvin", hottest.above);
   json.add("stage", scene.stages[hottest.stage].name);
@@ -106,20 +105,21 @@ void add_hottest_glass(JsonWriter& json, const Scene& scene, const State& state)
 }
 
 void add_balance(JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
+  const Diagnostics& seen = summary.run.diagnostics;
   json.add("volume_drift", summary.glass.volume_drift);
   json.add("energy_imbalance", summary.glass.energy_imbalance);
-  json.add("max_volume_drift", state.totals.max_drift);
-  json.add("max_penetration_mm", 1e3 * state.totals.max_penetration);
-  json.add("max_edge_penetration_mm", 1e3 * state.totals.max_edge_penetration);
+  json.add("max_volume_drift", seen.max_drift);
+  json.add("max_penetration_mm", 1e3 * seen.in_tools.node.depth);
+  json.add("max_edge_penetration_mm", 1e3 * seen.in_tools.edge.depth);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
   json.add("heat_to_air_J", state.totals.to_air);
   if (scene.has_light()) json.add("light_to_surroundings_J", state.totals.light_to_air);
   if (scene.enclosure) json.add("light_from_enclosure_J", state.totals.from_enclosure);
   json.add("dissipation_J", state.totals.dissipation);
-  json.add("max_reynolds", state.totals.max_reynolds);
-  json.add("max_flux_mismatch", state.totals.max_flux_mismatch);
-  json.add("temperature_overshoot_K", state.totals.overshoot);
-  json.add("clamped_table_lookups", static_cast<long>(state.totals.clamped_lookups));
+  json.add("max_reynolds", seen.work.max_reynolds);
+  json.add("max_flux_mismatch", seen.max_flux_mismatch);
+  json.add("temperature_overshoot_K", seen.hot_glass.overshoot);
+  json.add("clamped_table_lookups", seen.clamped_lookups);
 }
 
 void add_remeshing(JsonWriter& json, const State& state, const Summary& summary) {
@@ -163,7 +163,7 @@ void add_bodies(JsonWriter& json, const Summary& summary) {
     if (tool.radiated) json.add("heat_radiated_J", *tool.radiated);
     if (tool.from_enclosure) json.add("heat_from_enclosure_J", *tool.from_enclosure);
     if (tool.energy_imbalance) json.add("energy_imbalance", *tool.energy_imbalance);
-    json.add("surface_temperature_max_degC", celsius(tool.max_surface_temperature));
+    json.add("surface_temperature_max_degC", celsius(tool.hottest.temperature));
     json.add("hottest_time_s", tool.hottest.time);
     json.add("hottest_r_mm", 1e3 * tool.hottest.at[0]);
     json.add("hottest_z_mm", 1e3 * tool.hottest.at[1]);
@@ -220,10 +220,10 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_numerics(json, scene.accuracy);
   add_radiation(json, scene);
   add_balance(json, scene, state, summary);
-  if (scene.has_heat()) add_hottest_glass(json, scene, state);
+  if (scene.has_heat()) add_hottest_glass(json, scene, summary.run.diagnostics.hot_glass);
   add_work(json, state.totals.work);
   json.add("max_work_imbalance", max_work_imbalance(scene, state, summary.run));
-  add_solver_statistics(json, summary.run.solver_statistics);
+  add_solver_statistics(json, summary.run.diagnostics.steps);
   add_remeshing(json, state, summary);
   add_bodies(json, summary);
   add_stages(json, scene, summary.run);
@@ -261,10 +261,9 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
   summary.outer_within_02mm = share_near_tools(scene, state, profile.outer_edges);
+  const std::vector<Extreme>& hottest = run.diagnostics.extremes.tools;
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const ToolState& body = state.tools[i];
-    const double max_temperature =
-        body.temperature.size() > 0 ? body.max_surface_temperature : std::numeric_limits<double>::quiet_NaN();
     const auto radiated = scene.has_light() ? std::optional(body.heat_radiated) : std::nullopt;
     summary.tools.push_back({scene.tools[i].name,
                              body.heat_received,
@@ -273,8 +272,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
                              scene.has_heat() && scene.tools[i].thermal
                                  ? std::optional(energy_imbalance(scene, state, static_cast<Index>(i)))
                                  : std::nullopt,
-                             max_temperature,
-                             i < run.extremes.tools.size() ? run.extremes.tools[i] : Extreme{},
+                             i < hottest.size() ? hottest[i] : Extreme{},
                              body.offset,
                              body.end_force,
                              {}});
@@ -282,7 +280,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
       for (const std::size_t face : reported_faces(scene.tools[i]))
         summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
-  summary.flags = raised_flags(scene, run.extremes, state.time, summary.thickness);
+  summary.flags = raised_flags(scene, run.diagnostics.extremes, state.time, summary.thickness);
   if (const auto flag = mould_not_filled(run.filling); flag && run.completed) summary.flags.push_back(*flag);
   summary.quantities = quantities(scene, state, summary, profile);
   return summary;

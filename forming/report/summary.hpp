@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "forming/diagnostics/diagnostics.hpp"
 #include "forming/report/checks/check.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/process/flags.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/report/quantities.hpp"
-#include "forming/report/solver_statistics.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
@@ -39,12 +39,11 @@ struct RunFacts {
   double cpu_seconds = 0;                ///< of the whole process
   std::map<std::string, double> timing;  ///< s by part
   std::vector<std::string> warnings;
-  Checks checks;         ///< of the run's end
-  Extremes extremes;     ///< of temperatures
+  Checks checks;  ///< of the run's end
+  Diagnostics diagnostics;
   MouldFilling filling;  ///< at the end of the last stage that blew
   std::string unfilled;  ///< what the press has not filled, and why, a sentence; empty where it has
   std::vector<StageRecord> stages;
-  SolverStatistics solver_statistics;
 };
 
 struct RunOutcome {
@@ -58,8 +57,7 @@ struct ToolSummary {
   std::optional<double> from_enclosure;    ///< light from other surfaces to its open ones, J; none without an enclosure
   std::optional<double> radiated;          ///< the part of it that came as light, J; none without light in bands
   std::optional<double> energy_imbalance;  ///< see energy_imbalance; none where the tool carries no heat
-  double max_surface_temperature;          ///< so far, K; NaN where the tool carries no heat
-  Extreme hottest;                         ///< the same at the end of a step, with time and place
+  Extreme hottest;                         ///< of its contact surface; NaN where it has none or carries no heat
   double position, force;                  ///< m, N
   std::vector<std::pair<std::string, double>> faces;  ///< boundaries with cooling or a given temperature, heat out, J
 };

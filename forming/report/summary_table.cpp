@@ -66,7 +66,8 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
   if (scene.has_heat())
     text += line("glass temperature", fmt::format("mean {:.0f} degC, from {:.0f} to {:.0f} degC", celsius(glass.mean),
                                                   celsius(glass.lowest), celsius(glass.highest)));
-  if (const std::string hot = hot_glass_text(scene, state); !hot.empty()) text += line("too hot at the most", hot);
+  if (const std::string hot = hot_glass_text(scene, summary.run.diagnostics.hot_glass); !hot.empty())
+    text += line("too hot at the most", hot);
   text += thickness_lines(summary);
   const std::string capacity = capacity_text(scene, state, summary.no_wall.empty());
   if (!capacity.empty()) text += line("capacity", capacity);
@@ -83,7 +84,7 @@ std::string tool_lines(const Summary& summary) {
                                  light ? "   as light, kJ" : "");
   for (const ToolSummary& tool : summary.tools) {
     const std::string max_temperature =
-        std::isnan(tool.max_surface_temperature) ? "-" : fmt::format("{:.0f}", celsius(tool.max_surface_temperature));
+        std::isnan(tool.hottest.temperature) ? "-" : fmt::format("{:.0f}", celsius(tool.hottest.temperature));
     const std::string as_light = tool.radiated ? fmt::format("{:>15.2f}", 1e-3 * *tool.radiated) : "";
     text += fmt::format("  {:<22}{:>12.2f}{:>18}{:>16.2f}{}\n", tool.name, 1e-3 * tool.heat_received, max_temperature,
                         1e3 * tool.position, as_light);
@@ -123,10 +124,11 @@ std::string wall_line(const RunFacts& run) {
 
 std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
   const Totals& totals = state.totals;
+  const Diagnostics& seen = summary.run.diagnostics;
   std::string text =
-      line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, totals.rejected, remeshes(state)));
+      line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, seen.steps.rejected, remeshes(state)));
   text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most",
-                                           100 * summary.glass.volume_drift, 100 * totals.max_drift));
+                                           100 * summary.glass.volume_drift, 100 * seen.max_drift));
   if (scene.has_heat()) {
     text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
     const std::string light =
@@ -136,7 +138,7 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
                                           1e-3 * totals.to_air, light));
   }
   if (scene.has_flow() && !scene.tools.empty())
-    text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * totals.max_penetration));
+    text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * seen.in_tools.node.depth));
   text += cavity_line(scene, state);
   text += wall_line(summary.run);
   for (const Flag& flag : summary.flags) text += line("flag", flag.sentence);

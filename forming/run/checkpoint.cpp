@@ -21,7 +21,7 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 14;
+constexpr std::int64_t format_version = 15;
 
 struct Writer {
   Hdf5Group group;
@@ -66,23 +66,16 @@ struct Names {
   }
 };
 
-/// Hash of the list of all values of a state: another list is another layout of the file.
+/// Hash of the list of all values of a state and of what a run has seen: another list is another layout of the file.
 std::int64_t state_layout() {
   State state;
   state.tools.resize(1);
   std::string names;
   visit_state(Names{names}, state);
+  Diagnostics seen;
+  resize(seen, state.tools.size());
+  visit_diagnostics(Names{names}, seen);
   return static_cast<std::int64_t>(core::fingerprint(names));
-}
-
-template <typename Visitor, typename Record>
-void visit_extreme(Visitor visit, Record& extreme) {
-  visit("temperature", extreme.temperature);
-  visit("time", extreme.time);
-  visit("r", extreme.at[0]);
-  visit("z", extreme.at[1]);
-  visit("first_beyond", extreme.first_beyond);
-  visit("seconds_beyond", extreme.seconds_beyond);
 }
 
 template <typename Visitor, typename Filling>
@@ -99,10 +92,7 @@ void visit_facts(Visitor visit, Facts& facts) {
   visit("wall_seconds", facts.wall_seconds);
   visit("cpu_seconds", facts.cpu_seconds);
   for (const char* part : timed_parts) visit(part, facts.timing[part]);
-  visit_statistics(visit.part("solver_statistics"), facts.solver_statistics);
-  visit_extreme(visit.part("coldest_glass"), facts.extremes.glass);
-  for (std::size_t i = 0; i < facts.extremes.tools.size(); ++i)
-    visit_extreme(visit.part(fmt::format("hottest_tool_{}", i)), facts.extremes.tools[i]);
+  visit_diagnostics(visit.part("diagnostics"), facts.diagnostics);
   visit_filling(visit.part("mould_filling"), facts.filling);
   visit("unfilled", facts.unfilled);
   for (std::size_t i = 0; i < facts.warnings.size(); ++i)
@@ -227,7 +217,7 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     file.write("stages_done", static_cast<std::int64_t>(checkpoint.outcome.facts.stages.size()));
     file.write("warnings", static_cast<std::int64_t>(checkpoint.outcome.facts.warnings.size()));
     RunFacts facts = checkpoint.outcome.facts;
-    facts.extremes.tools.resize(scene.tools.size());
+    resize(facts.diagnostics, scene.tools.size());
     visit_facts(Writer{file.create("facts")}, facts);
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
@@ -242,7 +232,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   auto& [state, facts] = checkpoint.outcome;
   facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
   facts.warnings.resize(static_cast<std::size_t>(file.read_integer("warnings")));
-  facts.extremes.tools.resize(scene.tools.size());
+  resize(facts.diagnostics, scene.tools.size());
   visit_facts(Reader{file.open("facts")}, facts);
   visit_files(Reader{file.open("files")}, checkpoint.files);
   state.tools.resize(scene.tools.size());

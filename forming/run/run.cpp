@@ -7,7 +7,6 @@
 
 #include "core/process/run_error.hpp"
 #include "forming/report/checks/checks.hpp"
-#include "forming/report/process/extremes.hpp"
 #include "forming/run/run_in_progress.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/run/stall.hpp"
@@ -16,7 +15,6 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/state/interpolate.hpp"
 #include "forming/step/contact/film.hpp"
-#include "forming/step/contact/penetration.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
@@ -26,7 +24,6 @@ namespace {
 /// Tells the observers of a step, and of the output times within it and at the stage's end.
 void report_step(RunInProgress& run, const AcceptedStep& step) {
   const State& state = run.outcome.state;
-  update_extremes(run.scene, step.before, state, run.outcome.facts.extremes);
   notify(run, &RunObserver::step_taken, step.before, step.report);
   for (const double time : outputs_due(run.scene, step.before.time, state.time))
     notify(run, &RunObserver::fields_due, interpolate(step.before, state, time));
@@ -44,7 +41,7 @@ bool is_too_thin(RunInProgress& run) {
 /// Whether the run has no use to go on; the reason goes into the facts.
 bool is_stalled(RunInProgress& run, StallWatch& watch) {
   if (!run.scene.has_flow()) return false;
-  run.outcome.facts.reason = watch.reason(run.scene, run.outcome.state);
+  run.outcome.facts.reason = watch.reason(run.scene, run.outcome.state, run.outcome.facts.diagnostics);
   return !run.outcome.facts.reason.empty();
 }
 
@@ -92,7 +89,7 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
     end_stage(run, false);
   }
   const std::string& stage = run.scene.stages[state.stage].name;
-  const std::string entered = entered_face_sentence(run.scene, state);
+  const std::string entered = entered_face_sentence(run.scene, facts.diagnostics.in_tools);
   if (!entered.empty() && !facts.stopped && !facts.interrupted)
     facts.reason = fmt::format("{} (what stopped it: {})", entered, facts.reason);
   facts.reason = facts.completed ? "" : fmt::format("stage {} at {:.5f} s: {}", stage, state.time, facts.reason);
@@ -108,6 +105,7 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
 
 RunOutcome run(const Scene& scene, const Observers& observers, const StopRequest& stop, const remesh::Mesher& mesher) {
   RunInProgress run{scene, observers, stop, mesher, {initial_state(scene), {}}};
+  run.outcome.facts.diagnostics = first_diagnostics(scene, run.outcome.state);
   notify(run, &RunObserver::run_begins);
   return finish(run, [&] {
     const bool good = begin_stage(run, 0);

@@ -98,12 +98,10 @@ bool begin_stage(RunInProgress& run, Index stage) {
 
 void update_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
-  for (const auto& tool : stage.tools) {
-    ToolState& body = state.tools[tool.tool];
-    const bool driven = std::holds_alternative<ForceMotion>(tool.motion);
-    if (driven && stage.end_speed && std::abs(body.velocity) > *stage.end_speed) state.has_moved = true;
-    if (driven || body.velocity != 0) body.peak_force = std::max(body.peak_force, std::abs(body.force));
-  }
+  for (const StageTool& tool : stage.tools)
+    if (std::holds_alternative<ForceMotion>(tool.motion) && stage.end_speed &&
+        std::abs(state.tools[tool.tool].velocity) > *stage.end_speed)
+      state.has_moved = true;
 }
 
 namespace {

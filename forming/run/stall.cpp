@@ -7,21 +7,19 @@ namespace parison::forming {
 namespace {
 
 /// That glass has come deep into a tool through a face that cannot keep it out; the face is told at the end of any run.
-std::string deep_in_tool(const State& state) {
+std::string deep_in_tool(const GlassInTools& seen) {
   constexpr double severe = 0.1;  // of the mean wall, as of the check of penetration
-  const Totals& totals = state.totals;
-  if (totals.entered_tool < 0 || totals.penetration_share < severe) return "";
-  return fmt::format("glass is inside the tool by {:.0f} % of its mean wall", 100 * totals.penetration_share);
+  if (seen.entered_tool < 0 || seen.node.share < severe) return "";
+  return fmt::format("glass is inside the tool by {:.0f} % of its mean wall", 100 * seen.node.share);
 }
 
 }  // namespace
 
-std::string StallWatch::reason(const Scene& scene, const State& state) {
+std::string StallWatch::reason(const Scene& scene, const State& state, const Diagnostics& seen) {
   constexpr Index counted = 150;  // steps
   constexpr double short_share = 0.9, many = 1e4;
-  const Totals& totals = state.totals;
-  if (const std::string deep = deep_in_tool(state); !deep.empty()) return deep;
-  const Start now{totals.steps, totals.short_steps, state.stage_time}, before = start_.value_or(now);
+  if (const std::string deep = deep_in_tool(seen.in_tools); !deep.empty()) return deep;
+  const Start now{state.totals.steps, seen.steps.short_steps, state.stage_time}, before = start_.value_or(now);
   const Index steps = now.steps - before.steps;
   if (!start_ || steps >= counted) start_ = now;
   if (steps < counted) return "";

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "forming/scene/scene.hpp"
-#include "forming/state/state.hpp"
+#include "forming/diagnostics/diagnostics.hpp"
 
 namespace parison::forming {
 
@@ -13,7 +12,7 @@ class StallWatch {
  public:
   /// Why the run of an accepted state has none, a sentence: glass is deep in a tool, behind a face without contact, or
   /// hundreds of steps were about as short as steps may be while thousands like them are to come. Empty where it has.
-  std::string reason(const Scene& scene, const State& state);
+  std::string reason(const Scene& scene, const State& state, const Diagnostics& seen);
 
  private:
   /// Where the present count of steps began.

@@ -38,6 +38,7 @@ StepResult try_step(RunInProgress& run, double dt, StepLimit limit) {
 /// Makes the result of a step the state of the run.
 void accept(RunInProgress& run, StepResult& result, const ProposedStep& proposed, AcceptedStep& step) {
   State& state = run.outcome.state;
+  follow(run.scene, state, result, run.outcome.facts.diagnostics);
   result.state.next_step = proposed.dt;
   result.state.next_limit = static_cast<Index>(proposed.limit);
   step = {std::move(state), std::move(result.report)};
@@ -102,7 +103,6 @@ std::string bursting_film(const RunInProgress& run) {
 bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedStep& proposed, double dt) {
   State& state = run.outcome.state;
   std::string& reason = run.outcome.facts.reason;
-  ++state.totals.rejected;
   run.workspace.static_stage.reset();
   reason = result.converged ? "the step deforms the glass too much" : result.reason;
   const double next = result.converged ? std::clamp(proposed.dt, shorten * dt, longest_retry * dt) : shorten * dt;
@@ -173,10 +173,9 @@ bool step_once(RunInProgress& run, AcceptedStep& step) {
     const bool sound = result.converged && !rejected_by_error_control(run.scene, result.report);
     const double until_end = sound && repeats < most_repeats ? up_to_end(run.scene, state, result, dt) : dt;
     const bool accepted = sound && until_end == dt;
-    add_step(result.report, accepted, run.outcome.facts.solver_statistics);
+    add_step(run.scene, result.report, accepted, run.outcome.facts.diagnostics.steps);
     if (sound && !accepted) {
       ++repeats;
-      ++run.outcome.state.totals.rejected;
       run.workspace.static_stage.reset();
       dt = until_end;
       limit = StepLimit::event;

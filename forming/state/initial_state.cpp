@@ -86,16 +86,6 @@ bool exists(const Scene& scene, Needs needs) {
   return false;
 }
 
-/// The hottest node on the contact boundaries, K.
-double hottest_contact(const core::Mesh& mesh, const Eigen::VectorXd& temperature) {
-  const auto touches = core::boundaries_of_kind(mesh, BoundaryKind::contact);
-  double hottest = 0;
-  for (const auto& edge : mesh.boundary_edges())
-    for (const Index node : edge.nodes)
-      if (touches[edge.boundary_id]) hottest = std::max(hottest, temperature[node]);
-  return hottest;
-}
-
 /// The mass of the glass in its mesh and temperatures.
 void lay_initial_mass(const Scene& scene, GlassState& glass) {
   glass.mass_nodes = glass.mesh.nodes;
@@ -133,8 +123,6 @@ ToolState initial_tool(const Scene& scene, Index index) {
   if (tool.thermal) state.temperature = start_temperature(scene, body_of_tool(index), state.mesh);
   state.heat_through.assign(state.mesh.boundaries().size(), 0);
   state.offset = tool.position;
-  state.max_surface_temperature =
-      tool.start_field ? hottest_contact(state.mesh, state.temperature) : tool.initial_temperature;
   return state;
 }
 

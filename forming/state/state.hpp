@@ -21,26 +21,6 @@ struct ActiveContacts {
   std::vector<Point> normal;  ///< unit, from the tool into the glass
 };
 
-/// Temperatures of a body's surface and start, beyond which none inside can go but by viscous heat (maximum principle),
-/// and how far those of the mesh did.
-struct TemperatureBounds {
-  double coldest = 0, hottest = 0;       ///< K; both 0 before the first step with heat
-  double undershoot = 0, overshoot = 0;  ///< of the node furthest beyond, integral over time, K s
-};
-
-/// How far temperatures of a body went beyond the table of a property.
-struct TableExcess {
-  double error = 0;  ///< estimated relative error of the property, mean over the volume or the surface, largest so far
-  double furthest = 0;  ///< beyond the table, K
-  double seconds = 0;   ///< in which some temperature was beyond it
-};
-
-/// The same of all properties of a body.
-struct TablesExcess {
-  TableExcess conductivity, heat_capacity;
-  TableExcess flow;  ///< viscosity of the glass, friction of the glass on a tool
-};
-
 /// The glass at an instant; its mesh moves with it.
 struct GlassState : GlassFields {
   core::Mesh mesh;
@@ -52,41 +32,21 @@ struct GlassState : GlassFields {
   double initial_volume = 0;         ///< m3
   double initial_heat = 0;           ///< heat content at the start, J
   ActiveContacts active_contacts;
-  TemperatureBounds bounds;
-  TablesExcess tables;
-};
-
-/// The thermal contact of the glass with a tool that goes on, and what the contacts before it left: by these the run
-/// knows how well its meshes resolve the skin.
-struct ContactSkin {
-  double area_time = 0;    ///< integral of the area over time, m2 s; the next three are means when divided by it
-  double conductance = 0;  ///< of h, W s/K
-  double glass_cell = 0;   ///< of the height of the glass's cells at the surface, m3 s
-  double tool_cell = 0;    ///< of that of the tool's cells, m3 s
-  double peak_area = 0;    ///< m2
-  double heat = 0;         ///< into the tool in this contact, J
-  double wrong = 0;        ///< estimated error of the heat of earlier contacts, without sign, J
-  double exchanged = 0;    ///< heat of all contacts without sign, J
 };
 
 /// A tool at an instant; it keeps its mesh and moves by `offset`.
 struct ToolState {
-  core::Mesh mesh;                     ///< in the tool's own frame
-  Eigen::VectorXd temperature;         ///< per node, K; empty where the scene has no heat
-  double offset = 0;                   ///< along the axis, m
-  double velocity = 0;                 ///< along the axis, m/s
-  double slowing = 0;                  ///< rate at which the logarithm of its speed falls, 1/s; 0 where it does not
-  double force = 0;                    ///< on the glass along the axis, mean of the last step, N
-  double end_force = 0;                ///< the same at the end of that step, N
-  double peak_force = 0;               ///< largest so far without sign while a force drove it or it moved, N
-  double heat_received = 0;            ///< through interfaces since the start, J
-  double heat_radiated = 0;            ///< the part of it that came as light, with light in bands, J
-  double heat_from_enclosure = 0;      ///< light that came to its open surface from others, with an enclosure, J
-  std::vector<double> heat_through;    ///< out through each boundary by cooling, air or given temperature, J
-  double max_surface_temperature = 0;  ///< highest temperature so far on its contact boundaries, K
-  ContactSkin skin;
-  TemperatureBounds bounds;
-  TablesExcess tables;
+  core::Mesh mesh;                   ///< in the tool's own frame
+  Eigen::VectorXd temperature;       ///< per node, K; empty where the scene has no heat
+  double offset = 0;                 ///< along the axis, m
+  double velocity = 0;               ///< along the axis, m/s
+  double slowing = 0;                ///< rate at which the logarithm of its speed falls, 1/s; 0 where it does not
+  double force = 0;                  ///< on the glass along the axis, mean of the last step, N
+  double end_force = 0;              ///< the same at the end of that step, N
+  double heat_received = 0;          ///< through interfaces since the start, J
+  double heat_radiated = 0;          ///< the part of it that came as light, with light in bands, J
+  double heat_from_enclosure = 0;    ///< light that came to its open surface from others, with an enclosure, J
+  std::vector<double> heat_through;  ///< out through each boundary by cooling, air or given temperature, J
 };
 
 /// Why the glass was given a new mesh, and the names of these reasons.
@@ -124,20 +84,6 @@ struct RemeshStatistics {
   double coarsening_factor = 1;       ///< by which a mesh was coarser than asked for, for the sake of max_cells
 };
 
-/// Where and when the glass was deepest in a tool.
-struct PenetrationPlace {
-  Index tool = -1;                ///< none: no glass was in a tool
-  double r = 0, z = 0, time = 0;  ///< of the glass, m; s
-};
-
-/// Where and when the glass was furthest above all that can heat it.
-struct HottestGlass {
-  double above = 0;               ///< K
-  double r = 0, z = 0, time = 0;  ///< m; s
-  Index stage = 0;
-  double volume_share = 0;  ///< of the glass that was then above by more than is told
-};
-
 /// Sums since the start.
 struct Totals {
   double to_air = 0;          ///< heat lost by the glass to air, J
@@ -145,29 +91,7 @@ struct Totals {
   double from_enclosure = 0;  ///< light from other surfaces, by which `to_air` is less, with an enclosure, J
   double to_tools = 0;        ///< heat that crossed from glass to tools, J
   double dissipation = 0;     ///< viscous, into the glass, J
-  Index steps = 0, rejected = 0;
-  long clamped_lookups = 0;         ///< evaluations of h outside its table
-  double max_penetration = 0;       ///< max penetration of a glass node into a tool at any step, m
-  double max_edge_penetration = 0;  ///< the same of a point on an edge in contact, m
-  double penetration_share = 0, edge_penetration_share = 0;  ///< both over the mean wall of the glass at that step
-  PenetrationPlace deepest_node, deepest_edge;
-  Index entered_tool = -1,
-        entered_boundary = -1;  ///< where glass first came into a tool through a face without contact
-  double max_drift = 0;         ///< of the glass volume at any step, relative to the start, without sign
-  double max_reynolds = 0;
-  double overshoot = 0;  ///< of any temperature above the hottest of the scene at any step, K
-  HottestGlass hottest_glass;
-  double hot_work = 0;         ///< that would be dissipated besides, were no glass above all that can heat it, J
-  double viscous_heating = 0;  ///< by which dissipation can at most have heated a point of the glass, K
-  double capped_work = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
-  double unforeseen_work = 0;  ///< by which work of the steps would differ at the viscosity that their own heat gave, J
-  double sampled_work = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
-  double unresolved_work = 0;  ///< the part of it in the difference, J
-  double sampled_heat = 0;     ///< exchanged by all bodies in the steps in which parts of the rays were compared, J
-  double uncertain_heat = 0;   ///< the part of it by which these differed, J
-  double off_axis = 0;         ///< largest correction of nodes beyond a line of symmetry in a step, m
-  Index short_steps = 0;       ///< that were nearly as short as numerics.min_step
-  double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
+  Index steps = 0;
   Work work;
   RemeshStatistics remeshing;
 };

@@ -6,39 +6,6 @@
 
 namespace parison::forming {
 
-template <typename Visitor, typename Skin>
-void visit_skin(Visitor visit, Skin& skin) {
-  visit("area_time", skin.area_time);
-  visit("conductance", skin.conductance);
-  visit("glass_cell", skin.glass_cell);
-  visit("tool_cell", skin.tool_cell);
-  visit("peak_area", skin.peak_area);
-  visit("heat", skin.heat);
-  visit("wrong", skin.wrong);
-  visit("exchanged", skin.exchanged);
-}
-
-template <typename Visitor, typename Bounds>
-void visit_bounds(Visitor visit, Bounds& bounds) {
-  visit("coldest", bounds.coldest);
-  visit("hottest", bounds.hottest);
-  visit("undershoot", bounds.undershoot);
-  visit("overshoot", bounds.overshoot);
-}
-
-template <typename Visitor, typename Tables>
-void visit_tables(Visitor visit, Tables& tables) {
-  visit("conductivity_error", tables.conductivity.error);
-  visit("conductivity_furthest", tables.conductivity.furthest);
-  visit("conductivity_seconds", tables.conductivity.seconds);
-  visit("heat_capacity_error", tables.heat_capacity.error);
-  visit("heat_capacity_furthest", tables.heat_capacity.furthest);
-  visit("heat_capacity_seconds", tables.heat_capacity.seconds);
-  visit("flow_error", tables.flow.error);
-  visit("flow_furthest", tables.flow.furthest);
-  visit("flow_seconds", tables.flow.seconds);
-}
-
 /// Lists every value of a state with its name: one list serves writing, reading and comparing. A visitor takes a name
 /// and a value, and gives a visitor for a named part.
 template <typename Visitor, typename Tool>
@@ -50,15 +17,10 @@ void visit_tool(Visitor visit, Tool& tool) {
   visit("slowing", tool.slowing);
   visit("force", tool.force);
   visit("end_force", tool.end_force);
-  visit("peak_force", tool.peak_force);
   visit("heat_received", tool.heat_received);
   visit("heat_radiated", tool.heat_radiated);
   visit("heat_from_enclosure", tool.heat_from_enclosure);
   visit("heat_through", tool.heat_through);
-  visit("max_surface_temperature", tool.max_surface_temperature);
-  visit_skin(visit.part("skin"), tool.skin);
-  visit_bounds(visit.part("bounds"), tool.bounds);
-  visit_tables(visit.part("tables"), tool.tables);
 }
 
 template <typename Visitor, typename Glass>
@@ -74,8 +36,6 @@ void visit_glass(Visitor visit, Glass& glass) {
   visit("active_contact_node", glass.active_contacts.node);
   visit("active_contact_tool", glass.active_contacts.tool);
   visit("active_contact_normal", glass.active_contacts.normal);
-  visit_bounds(visit.part("bounds"), glass.bounds);
-  visit_tables(visit.part("tables"), glass.tables);
 }
 
 template <typename Visitor, typename Statistics>
@@ -112,24 +72,6 @@ void visit_work(Visitor visit, Sums& work) {
   visit("correction", work.correction);
 }
 
-template <typename Visitor, typename Place>
-void visit_penetration_place(Visitor visit, Place& place) {
-  visit("tool", place.tool);
-  visit("r", place.r);
-  visit("z", place.z);
-  visit("time", place.time);
-}
-
-template <typename Visitor, typename Place>
-void visit_hottest_glass(Visitor visit, Place& place) {
-  visit("above", place.above);
-  visit("r", place.r);
-  visit("z", place.z);
-  visit("time", place.time);
-  visit("stage", place.stage);
-  visit("volume_share", place.volume_share);
-}
-
 template <typename Visitor, typename Sums>
 void visit_totals(Visitor visit, Sums& totals) {
   visit("to_air", totals.to_air);
@@ -138,31 +80,6 @@ void visit_totals(Visitor visit, Sums& totals) {
   visit("to_tools", totals.to_tools);
   visit("dissipation", totals.dissipation);
   visit("steps", totals.steps);
-  visit("rejected", totals.rejected);
-  visit("clamped_lookups", totals.clamped_lookups);
-  visit("max_penetration", totals.max_penetration);
-  visit("max_edge_penetration", totals.max_edge_penetration);
-  visit("penetration_share", totals.penetration_share);
-  visit("edge_penetration_share", totals.edge_penetration_share);
-  visit("entered_tool", totals.entered_tool);
-  visit("entered_boundary", totals.entered_boundary);
-  visit("max_drift", totals.max_drift);
-  visit("max_reynolds", totals.max_reynolds);
-  visit("overshoot", totals.overshoot);
-  visit("hot_work", totals.hot_work);
-  visit("viscous_heating", totals.viscous_heating);
-  visit("capped_work", totals.capped_work);
-  visit("unforeseen_work", totals.unforeseen_work);
-  visit("sampled_work", totals.sampled_work);
-  visit("unresolved_work", totals.unresolved_work);
-  visit("sampled_heat", totals.sampled_heat);
-  visit("uncertain_heat", totals.uncertain_heat);
-  visit("off_axis", totals.off_axis);
-  visit("short_steps", totals.short_steps);
-  visit("max_flux_mismatch", totals.max_flux_mismatch);
-  visit_hottest_glass(visit.part("hottest_glass"), totals.hottest_glass);
-  visit_penetration_place(visit.part("deepest_node"), totals.deepest_node);
-  visit_penetration_place(visit.part("deepest_edge"), totals.deepest_edge);
   visit_work(visit.part("work"), totals.work);
   visit_remeshing(visit.part("remeshing"), totals.remeshing);
 }

@@ -10,14 +10,11 @@
 #include "core/process/work_times.hpp"
 #include "forming/state/interpolate.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
-#include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/edge_correction.hpp"
 #include "forming/step/contact/penetration.hpp"
 #include "forming/step/flow/flow_step.hpp"
 #include "forming/step/flow/predictor.hpp"
-#include "forming/step/heat/bounds/table_excess.hpp"
-#include "forming/step/heat/bounds/temperature_bounds.hpp"
 #include "forming/step/heat/contact_opening.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surface_temperature.hpp"
@@ -31,9 +28,6 @@
 namespace parison::forming {
 
 namespace {
-
-/// Times numerics.min_step: a step below counts as collapsed.
-constexpr double short_step = 10;
 
 /// Gives how far the furthest node went beyond the axis, where it is put back, or lies beyond a plane of symmetry, m.
 double move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {
@@ -49,10 +43,11 @@ void store_tool_velocities(const Scene& scene, double dt, State& state) {
 }
 
 /// Moves the glass and the active tools with their velocities.
-void move_bodies(const Scene& scene, double dt, State& state) {
+void move_bodies(const Scene& scene, double dt, StepResult& result) {
+  State& state = result.state;
   if (scene.has_flow())
-    state.totals.off_axis =
-        std::max(state.totals.off_axis, move_nodes(scene.geometry, state.glass.velocity, dt, state.glass.mesh));
+    result.report.off_axis =
+        std::max(result.report.off_axis, move_nodes(scene.geometry, state.glass.velocity, dt, state.glass.mesh));
   for (const auto& tool : scene.stages[state.stage].tools) {
     auto& body = state.tools[tool.tool];
     body.offset += dt * body.velocity;
@@ -131,6 +126,8 @@ bool step_heat(const Scene& scene, double dt, Workspace& workspace, StepResult& 
   result.report.seconds["heat"] += std::max(seconds - radiation, 0.0);
   result.reason = outcome.reason;
   result.report.heat_substeps += outcome.substeps;
+  result.report.flux_mismatch = outcome.flux_mismatch;
+  result.at_heat = result.state;
   return outcome.converged && is_above_absolute_zero(result);
 }
 
@@ -167,10 +164,10 @@ bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& 
   const Scene& scene = start.scene;
   const double dt = start.dt;
   if (!find_velocities(start, predictor, workspace, result)) return false;
-  move_bodies(scene, 0.5 * dt, result.state);
+  move_bodies(scene, 0.5 * dt, result);
   if (scene.has_flow() && !has_no_inverted_cells(scene, result)) return false;
   if (!step_heat(scene, dt, workspace, result)) return false;
-  move_bodies(scene, 0.5 * dt, result.state);
+  move_bodies(scene, 0.5 * dt, result);
   return !scene.has_flow() || (has_no_inverted_cells(scene, result) && has_no_glass_in_glass(start, result));
 }
 
@@ -184,55 +181,70 @@ MidpointPredictor first_prediction(const Scene& scene, const State& state, doubl
   return predictor;
 }
 
+/// How often flow and heat are passed through in a step.
+int passes(const Scene& scene, const State& state) {
+  return scene.has_flow() ? std::max(scene.accuracy.passes, predicts_temperature(scene, state) ? 1 : 2) : 1;
+}
+
+/// Goes back to the step's start with a prediction from what the pass before has found.
+void begin_again(const StepStart& start, MidpointPredictor& predictor, StepResult& result) {
+  const State& state = start.state;
+  predictor.expansion = expansion_until(start.scene, state, result.state.glass.temperature, start.dt);
+  predictor.temperature = 0.5 * (state.glass.temperature + result.state.glass.temperature);
+  auto active = std::move(result.state.glass.active_contacts);
+  result.state = state;
+  result.state.glass.active_contacts = std::move(active);
+  result.report.off_axis = 0;
+}
+
+/// Takes edges out of tools and gives the glass its volume or mass; false where an edge stays too deep.
+bool correct_glass(const StepStart& start, StepResult& result) {
+  if (!start.scene.has_flow()) return true;
+  update_rates(start.state, start.dt, result.state);
+  correct_edges(start.scene, result.state);
+  if (!has_no_edge_in_tools(start, result)) return false;
+  conserve_mass(start.scene, start.state, result.flow.tool_dilatation_mode, start.dt, result.state);
+  return true;
+}
+
+/// Carries the clock, the openings of contacts and the forces of tools to the end of the step.
+void finish(const StepStart& start, State& after) {
+  const Scene& scene = start.scene;
+  advance_openings(scene, start.state, start.dt, after);
+  after.time += start.dt;
+  after.stage_time += start.dt;
+  if (scene.has_flow()) store_end_forces(scene, start.state, after);
+  ++after.totals.steps;
+}
+
+/// What the step control needs of a step, in the report and for the steps to come.
+void report_step(const StepStart& start, const Workspace& workspace, StepResult& result) {
+  StepReport& report = result.report;
+  report.dt = start.dt;
+  report.clamped_lookups = workspace.clamped_lookups;
+  // Where nothing moves the heat integrator alone chooses the steps.
+  if (start.scene.has_heat() && !workspace.static_stage)
+    report.temperature_change = surface_temperature_change(start.scene, start.state, result.state, report.interface);
+  result.state.last_landed = report.landed_length;
+  result.state.last_work_error = report.work_error;
+}
+
 }  // namespace
 
 StepResult coupled_step(const Scene& scene, const State& state, double dt, Workspace& workspace) {
   workspace.heat.factored_step = 0;  // its factor comes from earlier steps
-  workspace.clamped_lookups = state.totals.clamped_lookups;
+  workspace.clamped_lookups = 0;
   const StepStart start = step_start(scene, state, dt);
   StepResult result;
-  MidpointPredictor predictor = first_prediction(scene, state, dt);
   result.state = state;
-  const int passes = scene.has_flow() ? std::max(scene.accuracy.passes, predicts_temperature(scene, state) ? 1 : 2) : 1;
-  for (int pass = 0; pass < passes; ++pass) {
-    if (pass > 0) {
-      predictor.expansion = expansion_until(scene, state, result.state.glass.temperature, dt);
-      predictor.temperature = 0.5 * (state.glass.temperature + result.state.glass.temperature);
-      auto active = std::move(result.state.glass.active_contacts);
-      result.state = state;
-      result.state.glass.active_contacts = std::move(active);
-    }
+  MidpointPredictor predictor = first_prediction(scene, state, dt);
+  for (int pass = 0; pass < passes(scene, state); ++pass) {
+    if (pass > 0) begin_again(start, predictor, result);
     if (!pass_once(start, predictor, workspace, result)) return result;
   }
-  State& after = result.state;
-  if (scene.has_flow() && scene.has_heat()) {
-    after.totals.unforeseen_work +=
-        unforeseen_work(scene.glass.flow->viscosity, state.glass.mesh, result.dissipation, predictor.temperature,
-                        state.glass.temperature, after.glass.temperature, dt);
-    after.totals.hot_work += hot_work(scene, state, predictor.temperature, result.dissipation, dt);
-  }
-  if (scene.has_flow()) update_rates(state, dt, after);
-  if (scene.has_flow() && !workspace.static_stage) {
-    correct_edges(scene, after);
-    if (!has_no_edge_in_tools(start, result)) return result;
-    conserve_mass(scene, state, result.tool_dilatation_mode, dt, after);
-  }
-  advance_openings(scene, state, dt, after);
-  after.time += dt;
-  after.stage_time += dt;
-  if (scene.has_flow()) store_end_forces(scene, state, after);
-  ++after.totals.steps;
-  if (dt < short_step * scene.accuracy.min_step) ++after.totals.short_steps;
-  after.totals.clamped_lookups = workspace.clamped_lookups;
-  update_table_excess(scene, dt, after);
-  if (!workspace.static_stage) note_penetration(scene, after);
-  if (scene.has_flow()) after.totals.max_drift = std::max(after.totals.max_drift, std::abs(volume_drift(scene, after)));
-  after.last_landed = result.report.landed_length;
-  after.last_work_error = result.report.work_error;
-  result.report.dt = dt;
-  // Where nothing moves the heat integrator alone chooses the steps.
-  if (scene.has_heat() && !workspace.static_stage)
-    result.report.temperature_change = surface_temperature_change(scene, state, after, result.report.interface);
+  if (!correct_glass(start, result)) return result;
+  finish(start, result.state);
+  report_step(start, workspace, result);
   result.converged = true;
   return result;
 }

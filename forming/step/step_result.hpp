@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/interface_point.hpp"
+#include "forming/flow/solution.hpp"
 #include "forming/state/state.hpp"
 
 namespace parison::forming {
@@ -27,6 +28,9 @@ struct StepReport {
   double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m
   double strain = 0;                          ///< largest rate of deformation times dt
   double landed_length = 0;                   ///< largest length of surface that came into contact in one piece, m
+  double off_axis = 0;                        ///< largest correction of nodes beyond a line of symmetry, m
+  double flux_mismatch = 0;                   ///< between heat out of the glass and into a tool, relative
+  long clamped_lookups = 0;                   ///< evaluations of h outside its table
   double work_error = 0;                      ///< by which the work of the step is off, over the work lost in the run
   std::vector<core::InterfacePoint> interface;  ///< of the step's end
   std::map<std::string, double> seconds;        ///< by part: flow, heat, contact, remesh, output
@@ -40,8 +44,10 @@ struct StepResult {
   bool unrecoverable = false;  ///< a shorter step fails as well
   double edge_depth = 0;       ///< m, where the step is refused because it moves an edge so deep into a tool
   StepReport report;
-  std::vector<double> dissipation;           ///< of the flow, W at each quadrature point: flow::Solution::dissipation
-  std::vector<double> tool_dilatation_mode;  ///< flow::Solution::tool_dilatation_mode
+  flow::Solution flow;               ///< of the last coupling iteration; empty where nothing flows
+  Eigen::VectorXd flow_temperature;  ///< of the glass nodes that it was solved with, K
+  std::vector<double> dissipation;   ///< viscous heat, W at each quadrature point: flow::Solution::dissipation
+  State at_heat;  ///< with the bodies in the middle of the step and the temperatures of its end; empty without heat
 };
 
 }  // namespace parison::forming

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/mesh/element.hpp"
 #include "forming/step/cavities/trapped_air.hpp"
 #include "forming/step/contact/film.hpp"
 
@@ -16,13 +15,6 @@ StepStart step_start(const Scene& scene, const State& state, double dt) {
   start.penetrations = penetrations(scene, state, 0);
   if (scene.stages[state.stage].trapped_air) seal_air(start);
   for (const auto& inside : start.penetrations) start.max_penetration = std::max(start.max_penetration, inside.depth);
-  const core::Mesh& mesh = state.glass.mesh;
-  double surface = 0;
-  for (const auto& edge : mesh.boundary_edges())
-    if (mesh.kind_of(edge) != BoundaryKind::symmetry)
-      for (const auto& at : core::edge_rule(2))
-        surface += core::map_edge_point(mesh, edge.nodes, scene.geometry, at).area;
-  start.wall = 2 * core::volume(mesh, scene.geometry) / surface;
   return start;
 }
 

@@ -24,7 +24,6 @@ struct StepStart {
   double max_penetration = 0;             ///< m
   std::optional<flow::TrappedAir> air;    ///< in sealed cavities; none where the stage vents them
   std::vector<double> air_amount;         ///< in each of its pockets: CavityAir::amount
-  double wall = 0;                        ///< twice the volume of the glass over its surface, m
 };
 
 StepStart step_start(const Scene& scene, const State& state, double dt);

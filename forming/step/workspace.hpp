@@ -27,7 +27,7 @@ struct Workspace {
   std::optional<flow::Solver> flow;  ///< sparsity pattern and its analysis, for as long as the glass keeps its mesh
   thermal::StepMatrix heat;          ///< the same for heat; the factor is reused within a step only
   std::unique_ptr<StaticStage> static_stage;
-  long clamped_lookups = 0;  ///< evaluations of the conductance outside its table, in the run so far
+  long clamped_lookups = 0;  ///< evaluations of the conductance outside its table, in the present step
 };
 
 }  // namespace parison::forming

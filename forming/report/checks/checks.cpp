@@ -5,11 +5,11 @@ namespace parison::forming {
 
 Checks checks(const Scene& scene, const State& state, const RunFacts& facts) {
   Checks all;
-  if (scene.has_heat()) add_heat_checks(scene, state, all);
+  if (scene.has_heat()) add_heat_checks(scene, state, facts.diagnostics, all);
   if (scene.has_flow()) add_flow_checks(scene, state, facts, all);
-  if (scene.has_heat() && scene.has_flow()) add_hot_glass_check(scene, state, all);
+  if (scene.has_heat() && scene.has_flow()) add_hot_glass_check(scene, state, facts.diagnostics.hot_glass, all);
   add_capacity_checks(scene, state, facts, all);
-  add_table_check(scene, state, all);
+  add_table_check(scene, facts.diagnostics.tables, all);
   return all;
 }
 

@@ -10,7 +10,7 @@ namespace parison::forming {
 Checks checks(const Scene& scene, const State& state, const RunFacts& facts);
 
 /// Those of heat: balance, overshoots, thermal skin, conductance.
-void add_heat_checks(const Scene& scene, const State& state, Checks& checks);
+void add_heat_checks(const Scene& scene, const State& state, const Diagnostics& seen, Checks& checks);
 /// Those of the motion: work, volume, penetration, axis, contacts, steps, inertia, caps.
 void add_flow_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
 
@@ -18,13 +18,13 @@ void add_flow_checks(const Scene& scene, const State& state, const RunFacts& fac
 void add_capacity_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
 
 /// That of glass hotter than all that can heat it, of a scene with heat and flow.
-void add_hot_glass_check(const Scene& scene, const State& state, Checks& checks);
+void add_hot_glass_check(const Scene& scene, const State& state, const HotGlass& hot, Checks& checks);
 /// By how much glass was hotter than all that can heat it, when and where; empty where it was so by no more than is
 /// told.
-std::string hot_glass_text(const Scene& scene, const State& state);
+std::string hot_glass_text(const Scene& scene, const HotGlass& hottest);
 
 /// That of tables over temperature, where the scene has some.
-void add_table_check(const Scene& scene, const State& state, Checks& checks);
+void add_table_check(const Scene& scene, const std::vector<TablesExcess>& tables, Checks& checks);
 
 /// The list `checks` and the verdict as keys of summary.json.
 void add_checks(core::JsonWriter& json, const Checks& checks, bool completed);

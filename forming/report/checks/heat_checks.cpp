@@ -9,7 +9,6 @@
 #include "forming/report/files/history.hpp"
 #include "forming/state/skin_history.hpp"
 #include "forming/state/skin_size.hpp"
-#include "forming/step/heat/contact_skin.hpp"
 
 namespace parison::forming {
 
@@ -26,14 +25,14 @@ struct Skin {
   std::string where;
 };
 
-Skin skin_at_tools(const Scene& scene, const State& state) {
+Skin skin_at_tools(const Scene& scene, const State& state, const std::vector<ContactSkin>& skins) {
   double greatest = 0;
-  for (const ToolState& tool : state.tools) greatest = std::max(greatest, tool.skin.exchanged);
+  for (const ContactSkin& skin : skins) greatest = std::max(greatest, skin.exchanged);
   Skin worst;
-  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
-    const double exchanged = state.tools[i].skin.exchanged;
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    const double exchanged = skins[i].exchanged;
     if (!(exchanged > 0)) continue;
-    const double error = contact_skin_error(scene, state, static_cast<Index>(i)) *
+    const double error = contact_skin_error(scene, state, static_cast<Index>(i), skins[i]) *
                          std::min(1.0, exchanged / (small_exchange * greatest));
     if (is_worse(error, worst.error)) worst = {error, "at the contact with " + scene.tools[i].name};
   }
@@ -91,8 +90,8 @@ Skin skin_at_surroundings(const Scene& scene, const State& state) {
   return worst;
 }
 
-Check thermal_skin(const Scene& scene, const State& state) {
-  const Skin tools = skin_at_tools(scene, state), surroundings = skin_at_surroundings(scene, state);
+Check thermal_skin(const Scene& scene, const State& state, const std::vector<ContactSkin>& skins) {
+  const Skin tools = skin_at_tools(scene, state, skins), surroundings = skin_at_surroundings(scene, state);
   const Skin& worst = is_worse(tools.error, surroundings.error) ? tools : surroundings;
   return {"thermal_skin",
           worst.error,
@@ -112,16 +111,15 @@ double share(double excess, const TemperatureBounds& bounds, double span, double
   return jump > no_jump * span && time > 0 ? excess / (jump * time) : 0;
 }
 
-Check overshoot(const Scene& scene, const State& state, double TemperatureBounds::*excess, const char* name,
-                const char* direction) {
+Check overshoot(const Scene& scene, const std::vector<TemperatureBounds>& bounds, double time,
+                double TemperatureBounds::*excess, const char* name, const char* direction) {
   const double span = temperature_range(scene).span();
-  double worst = share(state.glass.bounds.*excess, state.glass.bounds, span, state.time);
+  double worst = 0;
   std::string of = "the glass";
-  for (std::size_t i = 0; i < state.tools.size(); ++i)
-    if (const double found = share(state.tools[i].bounds.*excess, state.tools[i].bounds, span, state.time);
-        is_worse(found, worst)) {
+  for (std::size_t b = 0; b < bounds.size(); ++b)
+    if (const double found = share(bounds[b].*excess, bounds[b], span, time); is_worse(found, worst)) {
       worst = found;
-      of = scene.tools[i].name;
+      if (b != glass_body) of = body_of(scene, Index(b)).name;
     }
   return {
       name,
@@ -138,26 +136,24 @@ Check overshoot(const Scene& scene, const State& state, double TemperatureBounds
 
 }  // namespace
 
-void add_heat_checks(const Scene& scene, const State& state, Checks& checks) {
-  const Totals& totals = state.totals;
+void add_heat_checks(const Scene& scene, const State& state, const Diagnostics& seen, Checks& checks) {
   checks.push_back({"energy_imbalance", glass_facts(scene, state).energy_imbalance, 5e-3, 5e-2, "%",
                     "so much of the heat that the glass lost is not explained by its change of heat content, and "
                     "heat and temperatures are wrong by about as much; a smaller numerics.temperature_tolerance helps",
                     CheckKind::error});
-  checks.push_back({"interface_flux", totals.max_flux_mismatch, 1e-6, 1e-2, "%",
+  checks.push_back({"interface_flux", seen.max_flux_mismatch, 1e-6, 1e-2, "%",
                     "the heat out of the glass and the heat into a tool differ; this is an error of the program, "
                     "please report it with the case"});
-  checks.push_back(thermal_skin(scene, state));
+  checks.push_back(thermal_skin(scene, state, seen.skins));
   if (scene.has_light() || scene.enclosure)
-    checks.push_back({"light", totals.sampled_heat > 0 ? totals.uncertain_heat / totals.sampled_heat : 0, 0.01, 0.1,
-                      "%",
+    checks.push_back({"light", seen.light.heat > 0 ? seen.light.uncertain / seen.light.heat : 0, 0.01, 0.1, "%",
                       "the heat exchanged may be wrong by up to this: by so much do four parts of the rays that carry "
                       "light differ; more numerics.light_rays help",
                       CheckKind::error});
-  checks.push_back(overshoot(scene, state, &TemperatureBounds::overshoot, "overshoot", "above"));
-  checks.push_back(overshoot(scene, state, &TemperatureBounds::undershoot, "undershoot", "below"));
+  checks.push_back(overshoot(scene, seen.bounds, state.time, &TemperatureBounds::overshoot, "overshoot", "above"));
+  checks.push_back(overshoot(scene, seen.bounds, state.time, &TemperatureBounds::undershoot, "undershoot", "below"));
   if (scene.interfaces.empty()) return;
-  checks.push_back({"conductance_table", static_cast<double>(totals.clamped_lookups), 0, no_limit, "",
+  checks.push_back({"conductance_table", static_cast<double>(seen.clamped_lookups), 0, no_limit, "",
                     "so many look-ups of a conductance table were outside its range and were clamped to its ends; a "
                     "table over a wider range of pressure and viscosity helps"});
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "forming/diagnostics/table_excess.hpp"
 #include "forming/report/checks/checks.hpp"
-#include "forming/step/heat/bounds/table_excess.hpp"
 
 namespace parison::forming {
 
@@ -26,12 +26,12 @@ void include(const TablesExcess& tables, const char* of_flow, const std::string&
 
 }  // namespace
 
-void add_table_check(const Scene& scene, const State& state, Checks& checks) {
+void add_table_check(const Scene& scene, const std::vector<TablesExcess>& tables, Checks& checks) {
   if (!has_property_tables(scene)) return;
   Worst worst;
-  include(state.glass.tables, "the viscosity", "the glass", worst);
-  for (std::size_t i = 0; i < state.tools.size(); ++i)
-    include(state.tools[i].tables, "the friction", scene.tools[i].name, worst);
+  for (std::size_t b = 0; b < tables.size(); ++b)
+    include(tables[b], b == glass_body ? "the viscosity" : "the friction",
+            b == glass_body ? "the glass" : body_of(scene, Index(b)).name, worst);
   checks.push_back({"property_tables", worst.excess.error, 0.02, 0.5, "%",
                     fmt::format("{} of {} may be wrong by about this, in the mean over the body or its surface when it "
                                 "was worst: temperatures were beyond the table for {:.3g} s, by up to {:.3g} K; a "

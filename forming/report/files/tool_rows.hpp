@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "forming/report/process/tool_surface.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "forming/state/tool_surface.hpp"
 
 namespace parison::forming {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/json.hpp"
-#include "forming/report/process/extremes.hpp"
+#include "forming/diagnostics/extremes.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/scene/scene.hpp"

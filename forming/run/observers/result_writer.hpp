@@ -4,8 +4,8 @@
 #include <string>
 
 #include "forming/report/files/result_files.hpp"
-#include "forming/report/process/tool_surface.hpp"
 #include "forming/run/run_observer.hpp"
+#include "forming/state/tool_surface.hpp"
 
 namespace parison::forming {
 

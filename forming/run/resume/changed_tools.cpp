@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/process/run_error.hpp"
-#include "forming/report/process/tool_surface.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/state/tool_surface.hpp"
 #include "forming/step/idle/idle_tools.hpp"
 
 namespace parison::forming {
@@ -47,8 +47,8 @@ void renew_unused_tools(const Scene& scene, const std::vector<Index>& tools, Run
   for (const Index tool : tools) {
     const auto t = static_cast<std::size_t>(tool);
     outcome.state.tools[t] = idle.tools[t];
-    if (scene.has_heat() && t < outcome.facts.extremes.tools.size())
-      outcome.facts.extremes.tools[t] = hottest_of(start.tools[t], idle.tools[t], outcome.state.time);
+    if (scene.has_heat())
+      outcome.facts.diagnostics.extremes.tools[t] = hottest_of(start.tools[t], idle.tools[t], outcome.state.time);
   }
 }
 

@@ -108,42 +108,6 @@ double work_of_no_motion(const Scene& scene, const State& state) {
 
 }  // namespace
 
-double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt) {
-  const flow::Viscosity& viscosity = scene.glass.flow->viscosity;
-  const Eigen::VectorXd& temperature = start.glass.temperature;
-  const auto capped = [&](Index node) {
-    return viscosity.is_capped(temperature.size() > 0 ? temperature[node] : scene.glass.initial_temperature);
-  };
-  const auto& cells = start.glass.mesh.cells();
-  const std::size_t points = flow.dissipation.size() / cells.size();
-  double power = 0;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    if (capped(cells[cell][0]) && capped(cells[cell][1]) && capped(cells[cell][2]))
-      for (std::size_t q = 0; q < points; ++q) power += flow.dissipation[cell * points + q];
-  return dt * power;
-}
-
-double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh, const std::vector<double>& dissipation,
-                       const Eigen::VectorXd& predicted, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                       double dt) {
-  const auto& cells = mesh.cells();
-  const std::size_t points = dissipation.size() / cells.size();
-  // The mean of the nodes in the middle of the sides is that of the cell.
-  const auto mean = [](const auto& cell, const Eigen::VectorXd& temperature) {
-    return (temperature[cell[3]] + temperature[cell[4]] + temperature[cell[5]]) / 3;
-  };
-  double power = 0;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const double first = mean(cells[cell], before), last = mean(cells[cell], after);
-    const double in_flow = viscosity(mean(cells[cell], predicted));
-    const double in_step = (viscosity(first) + 4 * viscosity(0.5 * (first + last)) + viscosity(last)) / 6;
-    // Glass that turns out stiffer by decades would flow less: it counts once at most.
-    const double change = (in_step - in_flow) / std::max(in_step, in_flow);
-    for (std::size_t q = 0; q < points; ++q) power += dissipation[cell * points + q] * change;
-  }
-  return dt * std::abs(power);
-}
-
 /// The least share of the whole that counts. A film that bursts takes many steps, each with little of the work and half
 /// of that wrong.
 constexpr double least_share = 0.1;

@@ -14,16 +14,6 @@ inline constexpr double usual_steps = 400;
 /// independently of the flow equations, so that the balance tests them.
 void accumulate_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt, Work& work);
 
-/// The work, J, that a step of such a length and flow dissipates where the viscosity is at its cap.
-double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt);
-
-/// The work, J without sign, by which the dissipation of a step (W at each quadrature point) would differ at the mean
-/// viscosity over the step (Simpson's rule) of the temperatures that its heat gave, instead of that of those predicted
-/// for its middle.
-double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh, const std::vector<double>& dissipation,
-                       const Eigen::VectorXd& predicted, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                       double dt);
-
 /// The work of a step that is neither lost nor stored in the surface nor `recovery`, J, which takes penetrated nodes
 /// out of tools, over the greatest of all that was lost until `after` or done by tools, air and gravity: the truncation
 /// error of the step. Where nearly nothing was lost yet, the glass sinking by its own size is the measure. A step that

@@ -58,19 +58,14 @@ std::vector<bool> faces(const Body& body) {
   return is_face;
 }
 
-/// How deep glass is in an active tool, m; no tool where nothing is deeper than what was known before.
-struct Depth {
-  double depth;
-  Index tool = -1;
-  Point place = Point::Zero();  ///< of the glass there, m
-};
-
 /// The depth of glass at x in a tool that is moved by `offset`, if it is more than that of `deepest`.
 void deepen(const contact::ToolGap& gap, Index tool, const Point& x, const Point& offset, std::size_t& closest,
             Depth& deepest) {
   const double depth = gap.deepest(x - offset, deepest.depth, closest);
   if (depth > deepest.depth) deepest = {depth, tool, x};
 }
+
+}  // namespace
 
 Depth deepest_node(const Scene& scene, const State& state, double known) {
   const core::Mesh& glass = state.glass.mesh;
@@ -84,6 +79,8 @@ Depth deepest_node(const Scene& scene, const State& state, double known) {
   }
   return deepest;
 }
+
+namespace {
 
 /// The deepest place of an edge behind the boundaries that `measured` gives of a tool.
 template <typename Measured>
@@ -113,12 +110,8 @@ Depth deepest_edge(const Scene& scene, const State& state, double known, const M
 
 }  // namespace
 
-double max_penetration(const Scene& scene, const State& state, double known) {
-  return deepest_node(scene, state, known).depth;
-}
-
-double max_edge_penetration(const Scene& scene, const State& state, double known) {
-  return deepest_edge(scene, state, known, faces).depth;
+Depth deepest_edge(const Scene& scene, const State& state, double known) {
+  return deepest_edge(scene, state, known, faces);
 }
 
 double edge_depth_gained(const Scene& scene, const State& before, const State& after) {
@@ -128,47 +121,6 @@ double edge_depth_gained(const Scene& scene, const State& before, const State& a
   const auto behind = [](const Tool& tool) { return contact_boundaries(tool); };
   const double depth = deepest_edge(scene, after, left, behind).depth;
   return depth > left && depth > deepest_edge(scene, before, at_tool, behind).depth + step ? depth : 0;
-}
-
-namespace {
-
-/// Depth from which a node counts as come into a tool, m: 1 % of the mean wall, or less where the glass is thick and
-/// what no step leaves behind a contact face.
-double entered_depth(const Scene& scene, const core::Mesh& glass) {
-  constexpr double of_wall = 0.01, of_step = 2 * core::tolerance::rejected_penetration;
-  return std::min(of_wall * core::mean_wall(glass), of_step * core::size(scene.glass.profile));
-}
-
-/// The segment of an outline that is closest to a point, symmetry left out, and its distance, m.
-std::pair<const core::Segment*, double> closest_face(const Body& body, const Point& x) {
-  std::pair<const core::Segment*, double> closest{nullptr, std::numeric_limits<double>::infinity()};
-  for (const core::Segment& segment : body.profile.segments) {
-    if (body.boundaries[segment.boundary_id].kind == BoundaryKind::symmetry) continue;
-    const double distance = core::distance(segment, x, closest.second);
-    if (distance < closest.second) closest = {&segment, distance};
-  }
-  return closest;
-}
-
-}  // namespace
-
-std::optional<ToolFace> entered_face(const Scene& scene, const State& state) {
-  constexpr double beside = 2;  // depths: a node that is no farther behind a contact face came in at their corner
-  const core::Mesh& glass = state.glass.mesh;
-  const double allowed = entered_depth(scene, glass);
-  for (const Index tool : active_tools(scene, state)) {
-    const Tool& body = scene.tools[tool];
-    const contact::ToolGap gap(body.profile, contact_boundaries(body));
-    const Point offset = state.tools[tool].offset * core::axis_direction();
-    for (const Index node : surface_nodes(glass)) {
-      const Point local = glass.nodes[node] - offset;
-      if (!core::contains(body.profile, local)) continue;
-      const auto [face, depth] = closest_face(body, local);
-      const bool is_free = face && body.boundaries[face->boundary_id].kind != BoundaryKind::contact;
-      if (is_free && depth > allowed && std::abs(gap(local)) > beside * depth) return ToolFace{tool, face->boundary_id};
-    }
-  }
-  return {};
 }
 
 std::string end_of_contact(const Scene& scene, const State& state, Index cell) {
@@ -192,48 +144,6 @@ std::string end_of_contact(const Scene& scene, const State& state, Index cell) {
     }
   }
   return "";
-}
-
-void note_penetration(const Scene& scene, State& state) {
-  Totals& totals = state.totals;
-  const double wall = core::mean_wall(state.glass.mesh);
-  const auto note = [&](auto&& deepest, double& depth, double& share, PenetrationPlace& place) {
-    const Depth found = deepest(std::min(depth, share * wall));
-    if (found.tool >= 0 && found.depth > depth)
-      place = {found.tool, found.place[0], found.place[core::dim - 1], state.time};
-    depth = std::max(depth, found.depth);
-    share = std::max(share, found.depth / wall);
-  };
-  note([&](double known) { return deepest_node(scene, state, known); }, totals.max_penetration,
-       totals.penetration_share, totals.deepest_node);
-  note([&](double known) { return deepest_edge(scene, state, known, faces); }, totals.max_edge_penetration,
-       totals.edge_penetration_share, totals.deepest_edge);
-  if (totals.max_penetration <= entered_depth(scene, state.glass.mesh) || totals.entered_tool >= 0) return;
-  if (const auto face = entered_face(scene, state)) {
-    totals.entered_tool = face->tool;
-    totals.entered_boundary = face->boundary;
-  }
-}
-
-std::string place_of_penetration(const Scene& scene, double depth, const PenetrationPlace& place) {
-  if (place.tool < 0) return "";
-  const auto hundredths = [](double metres) {
-    return std::round(1e5 * metres) / 100 + 0.0;
-  };  // mm, no zero with a sign
-  return fmt::format("the deepest, {:.3g} mm, in {} at (r, z) = ({:.2f}, {:.2f}) mm after {:.4g} s", 1e3 * depth,
-                     scene.tools[place.tool].name, hundredths(place.r), hundredths(place.z), place.time);
-}
-
-std::string entered_face_sentence(const Scene& scene, const State& state) {
-  const Totals& totals = state.totals;
-  if (totals.entered_tool < 0) return "";
-  const Tool& tool = scene.tools[totals.entered_tool];
-  return fmt::format(
-      "glass has entered tool {0} through its boundary {1}, which has no contact: only boundaries with condition = "
-      "\"contact\" keep glass out. Where glass may touch {1}, give it that condition in the case; smaller steps or "
-      "edges "
-      "do not help",
-      tool.name, tool.boundaries[totals.entered_boundary].name);
 }
 
 }  // namespace parison::forming

@@ -72,14 +72,6 @@ void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::
     state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
 }
 
-/// Reynolds number rho rate L^2 / eta: L is the thickness of a wall of the glass's volume and surface, eta the
-/// viscosity that gives the dissipation at the mean rate of deformation.
-double reynolds(const StepStart& start, const flow::Solution& solution) {
-  const double dissipation = std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
-  const double rate = solution.mean_rate, viscosity = dissipation / (rate * rate * start.state.glass.initial_volume);
-  return dissipation > 0 ? start.scene.glass.flow->density * rate * start.wall * start.wall / viscosity : 0;
-}
-
 /// Largest length of surface, m, that a contact front passes in a step: the length of neighbouring edges whose middles
 /// come into contact in it, times the relative difference of the gaps that they closed. A flat surface that lands on a
 /// flat tool all at once has no front; next to glass in contact the gap is 0.
@@ -193,27 +185,10 @@ std::optional<flow::Solution> flow_iteration(const StepStart& start, MidpointPre
   return std::move(pass.solution);
 }
 
-/// Compares, in one of some steps, the rate of deformation with the recovered one: the square of the relative
-/// difference is the share of the dissipation that the mesh does not resolve (Zienkiewicz and Zhu 1992). Each step that
-/// is looked at stands for those around it; where the share so far is not small they are three times as many, because a
-/// few heavy steps decide: with every 15th alone the flute at draft has 3.0 %, with all steps 2.3 %.
-void sample_resolution(const Scene& scene, const State& state, const flow::Solution& solution, double dt,
-                       Totals& totals) {
-  constexpr Index seldom = 15, often = 5;
-  constexpr double small = 0.01;
-  const Index every = state.totals.unresolved_work > small * state.totals.sampled_work ? often : seldom;
-  if (state.totals.steps % every != 0) return;
-  const double work =
-      double(every) / seldom * dt * std::accumulate(solution.dissipation.begin(), solution.dissipation.end(), 0.0);
-  const double error = remesh::rate_error(state.glass.mesh, scene.geometry, solution.velocity).relative();
-  totals.sampled_work = state.totals.sampled_work + work;
-  totals.unresolved_work = state.totals.unresolved_work + std::min(1.0, error * error) * work;
-}
-
 /// Viscous heat at the quadrature points, W: the dissipation without that of impacts and corrections, to which no
 /// physical work corresponds. It matters in nearly solid glass.
-std::vector<double> heating(flow::Solution solution) {
-  std::vector<double> heat = std::move(solution.dissipation);
+std::vector<double> heating(const flow::Solution& solution) {
+  std::vector<double> heat = solution.dissipation;
   const double whole = std::accumulate(heat.begin(), heat.end(), 0.0);
   const double unphysical = std::max(0.0, -solution.impact_power) + std::max(0.0, solution.correction_power);
   if (unphysical > 0)
@@ -272,12 +247,9 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
     result.reason = fmt::format("the step changes the volume of the glass by {:.2g}", missed());
     return false;
   }
-  auto& totals = result.state.totals;
-  totals.max_reynolds = std::max(totals.max_reynolds, reynolds(start, *solution));
-  sample_resolution(scene, state, *solution, dt, totals);
-  totals.capped_work = state.totals.capped_work + capped_work(scene, state, *solution, dt);
-  result.tool_dilatation_mode = solution->tool_dilatation_mode;
-  result.dissipation = heating(std::move(*solution));
+  result.dissipation = heating(*solution);
+  result.flow = std::move(*solution);
+  result.flow_temperature = predictor.temperature;
   move_glass_probes(scene, state.glass.mesh, result.state.glass.velocity, dt, result.state);
   return true;
 }

@@ -5,12 +5,9 @@
 #include <utility>
 
 #include "forming/state/initial_state.hpp"
-#include "forming/step/heat/bounds/temperature_bounds.hpp"
-#include "forming/step/heat/contact_skin.hpp"
 #include "forming/step/heat/surroundings.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "remesh/surface/wall_thickness.hpp"
-#include "thermal/radiation/light_error.hpp"
 
 namespace parison::forming {
 
@@ -55,7 +52,6 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
   state.totals.from_enclosure += glass.from_enclosure;
   state.totals.dissipation += glass.from_source;
   state.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
-  state.totals.max_flux_mismatch = std::max(state.totals.max_flux_mismatch, thermal::flux_mismatch(balance));
   for (std::size_t t = 0; t < state.tools.size(); ++t) {
     const Index body = body_of_tool(Index(t));
     state.tools[t].heat_received -= thermal::lost_through_interfaces(balance, body);
@@ -66,23 +62,6 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
   }
   for (const thermal::PairBalance& pair : balance.pairs)
     state.tools[pair.master_body - 1].heat_radiated += pair.radiated;
-}
-
-void update_max_surface_temperatures(State& state) {
-  for (auto& body : state.tools) {
-    const auto touches = core::boundaries_of_kind(body.mesh, BoundaryKind::contact);
-    for (const auto& edge : body.mesh.boundary_edges())
-      if (touches[edge.boundary_id])
-        for (const Index node : edge.nodes)
-          body.max_surface_temperature = std::max(body.max_surface_temperature, body.temperature[node]);
-  }
-}
-
-void update_overshoot(const Scene& scene, State& state) {
-  const double max_temperature = temperature_range(scene).max_temperature;
-  for (Index body = 0; body < body_count(state); ++body)
-    if (const auto& temperature = temperature_of(state, body); temperature.size() > 0)
-      state.totals.overshoot = std::max(state.totals.overshoot, temperature.maxCoeff() - max_temperature);
 }
 
 /// Of all bodies but tools that wait for their first use.
@@ -171,7 +150,7 @@ HeatOutcome advance_by_ida(const Scene& scene, State& state, const std::vector<c
   static_stage->expired = is_expired(scene, *static_stage);
   store_temperatures(scene, state, std::move(outcome.temperature));
   accumulate(outcome.balance, state);
-  return {true, "", static_cast<int>(outcome.steps)};
+  return {true, "", static_cast<int>(outcome.steps), thermal::flux_mismatch(outcome.balance)};
 }
 
 /// What a moving heat problem points to.
@@ -214,7 +193,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
   store_temperatures(scene, state, std::move(outcome.temperature));
   accumulate(outcome.balance, state);
   state.heat_substep = outcome.next_substep;
-  return {true, "", static_cast<int>(outcome.substeps)};
+  return {true, "", static_cast<int>(outcome.substeps), thermal::flux_mismatch(outcome.balance)};
 }
 
 }  // namespace
@@ -255,37 +234,20 @@ HeatRates heat_rates(const Scene& scene, const State& state) {
   return rates;
 }
 
-namespace {
-
-/// Compares, in one of some steps, the heat flows of parts of the rays: what they differ by tells how wrong light is.
-void sample_light(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface, double dt) {
-  constexpr Index seldom = 90;
-  if (!(scene.has_light() || scene.enclosure) || state.totals.steps % seldom != 0) return;
+thermal::LightError light_error(const Scene& scene, const State& state,
+                                const std::vector<core::InterfacePoint>& interface) {
   const MovingParts parts = moving_parts(scene, state);
   long clamped_lookups = 0;
   auto problem = moving_problem(scene, state, parts, interface, clamped_lookups);
   problem.bodies[glass_body].absorption_at = &state.glass.temperature;
-  const thermal::LightError error = thermal::light_error(problem, state.time, temperatures(state));
-  state.totals.sampled_heat += dt * error.all_heat;
-  state.totals.uncertain_heat += dt * error.power;
+  return thermal::light_error(problem, state.time, temperatures(state));
 }
-
-}  // namespace
 
 HeatOutcome advance_heat(const Scene& scene, State& state, const std::vector<core::InterfacePoint>& interface,
                          const std::vector<double>& dissipation, double dt, Workspace& workspace) {
-  std::vector<double> heat_before;
-  for (const ToolState& tool : state.tools) heat_before.push_back(tool.heat_received);
-  const HeatOutcome outcome = is_static(scene, scene.stages[state.stage])
-                                  ? advance_by_ida(scene, state, interface, dt, workspace)
-                                  : advance_by_tr_bdf2(scene, state, interface, dissipation, dt, workspace);
-  if (!outcome.converged) return outcome;
-  update_max_surface_temperatures(state);
-  update_overshoot(scene, state);
-  update_temperature_bounds(scene, dissipation, dt, state);
-  update_contact_skins(scene, interface, dt, heat_before, state);
-  sample_light(scene, state, interface, dt);
-  return outcome;
+  return is_static(scene, scene.stages[state.stage])
+             ? advance_by_ida(scene, state, interface, dt, workspace)
+             : advance_by_tr_bdf2(scene, state, interface, dissipation, dt, workspace);
 }
 
 }  // namespace parison::forming

@@ -4,14 +4,16 @@
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "forming/step/workspace.hpp"
+#include "thermal/radiation/light_error.hpp"
 
 namespace parison::forming {
 
 /// Result of advance_heat.
 struct HeatOutcome {
   bool converged = false;
-  std::string reason;  ///< why it did not converge
-  int substeps = 0;    ///< of the time integration
+  std::string reason;        ///< why it did not converge
+  int substeps = 0;          ///< of the time integration
+  double flux_mismatch = 0;  ///< between heat out of the glass and into a tool, relative
 };
 
 /// Advances the temperatures of all bodies from the state's time by dt, s, on their present meshes, and accumulates the
@@ -28,6 +30,10 @@ struct HeatRates {
   Eigen::ArrayXd conducted, radiated;  ///< by tool, through the contacts
 };
 HeatRates heat_rates(const Scene& scene, const State& state);
+
+/// By how much parts of the rays differ in the heat flows of a state, across such an interface.
+thermal::LightError light_error(const Scene& scene, const State& state,
+                                const std::vector<core::InterfacePoint>& interface);
 
 /// A body with what its boundaries exchange heat with in the present stage, on one of its meshes, which it points to.
 /// A tool that waits for its first use exchanges none.

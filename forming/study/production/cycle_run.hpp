@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "forming/report/process/tool_surface.hpp"
 #include "forming/run/run.hpp"
+#include "forming/state/tool_surface.hpp"
 #include "forming/study/production/machine_cycle.hpp"
 
 namespace parison::forming {

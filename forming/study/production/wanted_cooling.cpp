@@ -10,8 +10,8 @@
 
 #include "core/case/case_error.hpp"
 #include "core/case/units.hpp"
-#include "forming/report/process/tool_surface.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/state/tool_surface.hpp"
 #include "forming/step/heat/surroundings.hpp"
 #include "forming/study/production/machine_cycle.hpp"
 #include "forming/study/production/surface_range.hpp"

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "../scene_text.hpp"
+#include "forming/diagnostics/extremes.hpp"
 #include "forming/report/process/flags.hpp"
 #include "forming/report/process/glass_shape.hpp"
 #include "forming/report/process/mould_filling.hpp"
-#include "forming/report/process/tool_surface.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/state/tool_surface.hpp"
 
 namespace parison::forming {
 namespace {
@@ -29,7 +30,7 @@ Extremes after(const Scene& scene, const std::vector<double>& temperatures, int 
     for (Index n = 0; n < plunger.mesh.node_count(); ++n)
       if (plunger.mesh.nodes[n][0] > 0.0149 && plunger.mesh.nodes[n][1] < 1e-9)
         plunger.temperature[n] = zero + temperature;
-    update_extremes(scene, before, state, extremes);
+    follow_extremes(scene, before, state, extremes);
     before = state;
   }
   return extremes;

@@ -101,10 +101,10 @@ RunFacts some_facts() {
   facts.stages = {{"rest", 0, 1 / 3.0, "duration", {1, 2, 3, 4, 5, 6, 1 / 7.0, 8}}};
   facts.warnings = {"at 0.1 s something", "something else"};
   facts.unfilled = "the plunger stood short";
-  facts.solver_statistics.flow_solves = 1L << 33;
-  facts.extremes.glass = {900, 0.25, {1, 2}, 0.125, 1 / 3.0};
-  facts.extremes.tools = {{}, {800, 0.5, {3, 4}, 0.375, 1 / 7.0}};
-  facts.solver_statistics.limited_by.back() = 3;
+  facts.diagnostics.steps.flow_solves = 1L << 33;
+  facts.diagnostics.extremes.glass = {900, 0.25, {1, 2}, 0.125, 1 / 3.0};
+  facts.diagnostics.extremes.tools = {{}, {800, 0.5, {3, 4}, 0.375, 1 / 7.0}};
+  facts.diagnostics.steps.limited_by.back() = 3;
   return facts;
 }
 
@@ -135,14 +135,14 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   EXPECT_EQ(facts.stages[0].work.surface, 1 / 7.0);
   EXPECT_EQ(facts.warnings, (std::vector<std::string>{"at 0.1 s something", "something else"}));
   EXPECT_EQ(facts.unfilled, "the plunger stood short");
-  EXPECT_EQ(facts.solver_statistics.flow_solves, 1L << 33);
-  EXPECT_EQ(facts.solver_statistics.limited_by.back(), 3);
-  EXPECT_EQ(facts.extremes.glass.at, Point(1, 2));
-  EXPECT_EQ(facts.extremes.glass.seconds_beyond, 1 / 3.0);
-  EXPECT_TRUE(std::isnan(facts.extremes.tools.at(0).temperature));
-  EXPECT_EQ(facts.extremes.tools.at(1).temperature, 800);
-  EXPECT_EQ(facts.extremes.tools.at(1).time, 0.5);
-  EXPECT_EQ(facts.extremes.tools.at(1).first_beyond, 0.375);
+  EXPECT_EQ(facts.diagnostics.steps.flow_solves, 1L << 33);
+  EXPECT_EQ(facts.diagnostics.steps.limited_by.back(), 3);
+  EXPECT_EQ(facts.diagnostics.extremes.glass.at, Point(1, 2));
+  EXPECT_EQ(facts.diagnostics.extremes.glass.seconds_beyond, 1 / 3.0);
+  EXPECT_TRUE(std::isnan(facts.diagnostics.extremes.tools.at(0).temperature));
+  EXPECT_EQ(facts.diagnostics.extremes.tools.at(1).temperature, 800);
+  EXPECT_EQ(facts.diagnostics.extremes.tools.at(1).time, 0.5);
+  EXPECT_EQ(facts.diagnostics.extremes.tools.at(1).first_beyond, 0.375);
 }
 
 TEST(Checkpoint, a_fingerprint_tells_states_apart_that_differ_in_one_bit) {
@@ -198,7 +198,7 @@ TEST(Checkpoint, one_of_another_case_file_accuracy_or_version_is_refused_with_a_
   const std::string kept = path + ".kept";
   std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 14");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 15");
   const std::int64_t version = core::open_hdf5(kept).read_integer("version");
   core::write_hdf5(path, [&](core::Hdf5Group& file) {
     file.write("version", version);

@@ -102,7 +102,7 @@ TEST(Observers, an_observer_is_told_of_each_stage_step_output_time_and_the_end_i
   ASSERT_TRUE(outcome.facts.completed) << outcome.facts.reason;
   EXPECT_EQ(witness.events, "RSESEC");
   EXPECT_EQ(witness.taken, outcome.state.totals.steps);
-  EXPECT_EQ(witness.tried, outcome.state.totals.steps + outcome.state.totals.rejected);
+  EXPECT_EQ(witness.tried, outcome.state.totals.steps + outcome.facts.diagnostics.steps.rejected);
   EXPECT_EQ(witness.checkpoints, witness.taken + 3);  // at the run's start and at each stage's end too
   const std::vector<double> wanted{0, 0.02, 0.04, 0.05, 0.06, 0.08, 0.08};
   ASSERT_EQ(witness.field_times.size(), wanted.size());
@@ -182,13 +182,13 @@ TEST(Observers, a_request_to_stop_stops_after_the_step_and_changes_nothing_else)
   Witness witness;
   const RunOutcome outcome = run(scene, {&witness}, [&] { return ++asked == 5; });
   EXPECT_TRUE(outcome.facts.stopped);
-  EXPECT_EQ(outcome.state.totals.steps + outcome.state.totals.rejected, 5);
+  EXPECT_EQ(outcome.state.totals.steps + outcome.facts.diagnostics.steps.rejected, 5);
   EXPECT_EQ(outcome.facts.stages.back().end_reason, "stop");
   EXPECT_EQ(witness.events, "RSEF");
   asked = 0;
   const RunOutcome whole = run(scene, {}, [&] { return ++asked, false; });
   EXPECT_EQ(fingerprint(whole.state), fingerprint(run(scene).state));
-  EXPECT_EQ(asked, whole.state.totals.steps + whole.state.totals.rejected);
+  EXPECT_EQ(asked, whole.state.totals.steps + whole.facts.diagnostics.steps.rejected);
 }
 
 TEST(Observers, glass_is_remeshed_by_the_mesher_that_the_run_is_given) {

@@ -54,7 +54,7 @@ class RemeshState : public ::testing::Test {
     EXPECT_GT(cold.maxCoeff() - cold.minCoeff(), 100) << "no skin to overshoot at";
     EXPECT_LE(now.maxCoeff(), cold.maxCoeff() + 1e-9);
     EXPECT_GE(now.minCoeff(), cold.minCoeff() - 1e-9);
-    EXPECT_LE(max_penetration(scene, after), max_penetration(scene, before) + 5e-6);
+    EXPECT_LE(deepest_node(scene, after).depth, deepest_node(scene, before).depth + 5e-6);
   }
 
   static void expect_clean_statistics(const State& state, bool linear) {
@@ -85,12 +85,12 @@ TEST_F(RemeshState, a_surface_found_inside_a_tool_is_lifted_out_and_its_volume_g
   State state = pressed("");
   state.tools[1].offset += 1e-3;   // frees the upper face
   state.tools[0].offset += 20e-6;  // the bottom now lies 20 micrometres inside the pot
-  const double depth = max_penetration(scene, state);
+  const double depth = deepest_node(scene, state).depth;
   EXPECT_GT(depth, 15e-6);
   const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
   ASSERT_TRUE(remeshed.ok) << remeshed.reason;
   expect_kept(state, remeshed.state);
-  EXPECT_LT(max_penetration(scene, remeshed.state), 1e-6);
+  EXPECT_LT(deepest_node(scene, remeshed.state).depth, 1e-6);
 }
 
 TEST_F(RemeshState, contact_that_has_just_begun_is_no_contact_of_the_step_before_on_the_new_mesh) {
@@ -119,15 +119,15 @@ TEST_F(RemeshState, an_edge_that_bulges_round_a_corner_of_the_tools_becomes_the_
       glass.mesh.nodes[side.nodes[2]] = Point(12e-3, 0);
       for (const Index node : side.nodes) glass.contact_tool[node] = 0;
     }
-    EXPECT_LT(max_penetration(scene, state), 1e-12) << "a node shows what the edge does";
-    EXPECT_GT(max_edge_penetration(scene, state), 5e-5) << edge;
+    EXPECT_LT(deepest_node(scene, state).depth, 1e-12) << "a node shows what the edge does";
+    EXPECT_GT(deepest_edge(scene, state).depth, 5e-5) << edge;
     for (const double known : {0.0, 1e-9, 1e-3})
-      EXPECT_EQ(max_edge_penetration(scene, state, known), std::max(known, max_edge_penetration(scene, state)));
+      EXPECT_EQ(deepest_edge(scene, state, known).depth, std::max(known, deepest_edge(scene, state).depth));
     for (Index n = 0; n < glass.mesh.node_count(); ++n) glass.temperature[n] += 2e4 * glass.mesh.nodes[n][1];
     const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
     ASSERT_TRUE(remeshed.ok) << edge << ": " << remeshed.reason;
     expect_kept(state, remeshed.state);
-    EXPECT_LT(max_edge_penetration(scene, remeshed.state), 0.1 * max_edge_penetration(scene, state)) << edge;
+    EXPECT_LT(deepest_edge(scene, remeshed.state).depth, 0.1 * deepest_edge(scene, state).depth) << edge;
     EXPECT_GE(remesh::quality(remeshed.state.glass.mesh).min, 0.3) << edge;
   }
 }
@@ -139,16 +139,16 @@ TEST_F(RemeshState, an_edge_over_a_ridge_of_the_tool_is_as_deep_as_the_ridge_whe
   constexpr double depth = 30e-6;
   for (Point& node : state.glass.mesh.nodes) node[1] -= depth;
   for (const Index node : contact_nodes(state.glass.mesh)) state.glass.contact_tool[node] = 0;
-  EXPECT_LT(max_penetration(scene, state), 1e-12) << "no node is at the ridge";
-  EXPECT_NEAR(max_edge_penetration(scene, state), depth / std::sqrt(2), 1e-9) << "from its two sides";
+  EXPECT_LT(deepest_node(scene, state).depth, 1e-12) << "no node is at the ridge";
+  EXPECT_NEAR(deepest_edge(scene, state).depth, depth / std::sqrt(2), 1e-9) << "from its two sides";
   state.time = 0.25;
-  note_penetration(scene, state);
+  GlassInTools seen;
+  follow_glass_in_tools(scene, state, seen);
   state.time = 0.5;
   for (Point& node : state.glass.mesh.nodes) node[1] += 0.5 * depth;
-  note_penetration(scene, state);
-  const Totals& totals = state.totals;
-  EXPECT_EQ(place_of_penetration(scene, totals.max_penetration, totals.deepest_node), "");
-  EXPECT_EQ(place_of_penetration(scene, totals.max_edge_penetration, totals.deepest_edge),
+  follow_glass_in_tools(scene, state, seen);
+  EXPECT_EQ(place_of_penetration(scene, seen.node), "");
+  EXPECT_EQ(place_of_penetration(scene, seen.edge),
             "the deepest, 0.0212 mm, in pot at (r, z) = (4.03, -0.03) mm after 0.25 s");
 }
 

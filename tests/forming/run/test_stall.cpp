@@ -10,12 +10,13 @@ namespace {
 /// What is said after each of some steps of a length, s, the first that is anything.
 std::string after_steps(const Scene& scene, Index count, double dt) {
   State state{};
+  Diagnostics seen;
   StallWatch watch;
   for (Index i = 0; i < count; ++i) {
     ++state.totals.steps;
-    if (dt < 10 * scene.accuracy.min_step) ++state.totals.short_steps;
+    if (dt < 10 * scene.accuracy.min_step) ++seen.steps.short_steps;
     state.stage_time += dt;
-    if (std::string said = watch.reason(scene, state); !said.empty()) return said;
+    if (std::string said = watch.reason(scene, state, seen); !said.empty()) return said;
   }
   return "";
 }
@@ -33,12 +34,13 @@ TEST(Stall, hundreds_of_the_shortest_steps_end_a_run_that_has_a_million_of_them_
 
 TEST(Stall, glass_deep_behind_a_face_without_contact_ends_a_run) {
   const Scene scene = scene_of(small_scene);
-  State state{};
-  state.totals.entered_tool = 0;
-  state.totals.penetration_share = 0.05;
-  EXPECT_EQ(StallWatch().reason(scene, state), "");
-  state.totals.penetration_share = 0.12;
-  EXPECT_EQ(StallWatch().reason(scene, state), "glass is inside the tool by 12 % of its mean wall");
+  const State state{};
+  Diagnostics seen;
+  seen.in_tools.entered_tool = 0;
+  seen.in_tools.node.share = 0.05;
+  EXPECT_EQ(StallWatch().reason(scene, state, seen), "");
+  seen.in_tools.node.share = 0.12;
+  EXPECT_EQ(StallWatch().reason(scene, state, seen), "glass is inside the tool by 12 % of its mean wall");
 }
 
 }  // namespace

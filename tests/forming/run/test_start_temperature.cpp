@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "../scene_text.hpp"
+#include "forming/diagnostics/extremes.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/run.hpp"
 #include "forming/scene/describe/unusual.hpp"
@@ -79,7 +80,7 @@ TEST(StartTemperature, a_table_is_linear_between_its_points_and_constant_beyond)
     const double s = x[0] / 30, t = 1 + x[1] / 10;
     EXPECT_NEAR(plate.temperature[n] - 273.15, (1 - t) * (300 + 20 * s) + t * (400 + 40 * s), 1e-9);
   }
-  EXPECT_NEAR(plate.max_surface_temperature, 713.15, 1e-9);
+  EXPECT_NEAR(first_extremes(scene, state).tools[0].temperature, 713.15, 1e-9);
   const Scene along = scene_with_table(with_plate("{ csv = \"T.csv\" }"), "z_mm,T_degC\n-5,300\n-2,330\n");
   const auto& T = along.tools[0].start_field->at;
   EXPECT_NEAR(T({0, -9e-3}), 573.15, 1e-9);

@@ -56,14 +56,14 @@ struct OnRidge {
 TEST(EdgeCorrection, an_edge_over_a_ridge_is_moved_out_and_the_volume_stays) {
   OnRidge glass;
   const core::Mesh before = glass.state.glass.mesh;
-  ASSERT_LT(max_penetration(glass.scene, glass.state), 1e-12) << "no node is at the ridge";
-  const double depth = max_edge_penetration(glass.scene, glass.state);
+  ASSERT_LT(deepest_node(glass.scene, glass.state).depth, 1e-12) << "no node is at the ridge";
+  const double depth = deepest_edge(glass.scene, glass.state).depth;
   ASSERT_GT(depth, 10 * glass.allowed);
   correct_edges(glass.scene, glass.state);
   const core::Mesh& after = glass.state.glass.mesh;
   constexpr double for_volume = 2e-6;  // m, shift of the surface, none of which rests on the tool here
-  EXPECT_LT(max_edge_penetration(glass.scene, glass.state), 1.05 * glass.allowed + for_volume);
-  EXPECT_LT(max_penetration(glass.scene, glass.state), glass.allowed);
+  EXPECT_LT(deepest_edge(glass.scene, glass.state).depth, 1.05 * glass.allowed + for_volume);
+  EXPECT_LT(deepest_node(glass.scene, glass.state).depth, glass.allowed);
   const double volume = core::volume(before, glass.scene.geometry);
   EXPECT_NEAR(core::volume(after, glass.scene.geometry) / volume, 1, 1e-13);
   for (Index n = 0; n < after.vertex_count(); ++n)
@@ -88,15 +88,15 @@ TEST(EdgeCorrection, a_step_that_leaves_an_edge_deep_in_a_tool_is_told_from_one_
   State outside = glass.state, corrected = glass.state;
   for (Point& node : outside.glass.mesh.nodes) node[1] += 10e-6;
   move_edges_out(glass.scene, corrected, corrected.glass.contact_tool, corrected.glass.mesh);
-  const double depth = max_edge_penetration(glass.scene, glass.state);
+  const double depth = deepest_edge(glass.scene, glass.state).depth;
   EXPECT_EQ(edge_depth_gained(glass.scene, outside, glass.state), depth);
   EXPECT_EQ(edge_depth_gained(glass.scene, glass.state, glass.state), 0) << "it was there before";
   State creeping = glass.state;
   for (Point& node : creeping.glass.mesh.nodes)
     node[1] -= 0.1 * core::tolerance::penetration * core::size(glass.scene.glass.profile);
-  EXPECT_GT(max_edge_penetration(glass.scene, creeping), depth);
+  EXPECT_GT(deepest_edge(glass.scene, creeping).depth, depth);
   EXPECT_EQ(edge_depth_gained(glass.scene, glass.state, creeping), 0) << "shorter steps would not end";
-  EXPECT_GT(max_edge_penetration(glass.scene, corrected), 0);
+  EXPECT_GT(deepest_edge(glass.scene, corrected).depth, 0);
   EXPECT_EQ(edge_depth_gained(glass.scene, outside, corrected), 0) << "no deeper than a corrected edge";
   const double size = core::size(glass.scene.glass.profile), step = core::tolerance::penetration * size;
   State beyond = glass.state;
@@ -154,7 +154,7 @@ TEST(EdgeCorrection, a_middle_that_is_off_the_middle_of_an_edge_on_a_round_tool_
   glass.temperature[last] += 50, glass.temperature[middle] += 10;
   glass.mass_nodes = glass.mesh.nodes;
   const State before = state;
-  const double depth = max_edge_penetration(scene, state);
+  const double depth = deepest_edge(scene, state).depth;
   ASSERT_GT(depth, 5e-6);
   ASSERT_TRUE(centre_middles(scene, state));
   EXPECT_NEAR(glass.mesh.nodes[middle][0], 0.5 * length, 0.05 * length);
@@ -167,7 +167,7 @@ TEST(EdgeCorrection, a_middle_that_is_off_the_middle_of_an_edge_on_a_round_tool_
               before.glass.density * core::volume(mass_before, scene.geometry), 1e-18);
   // On the old edge the node lies in the tool a little; moved out of it, it is on the arc, and so is the edge.
   EXPECT_TRUE(move_edges_out(scene, state, glass.contact_tool, glass.mesh));
-  EXPECT_LT(max_edge_penetration(scene, state), 0.25 * depth);
+  EXPECT_LT(deepest_edge(scene, state).depth, 0.25 * depth);
   EXPECT_FALSE(centre_middles(scene, state)) << "once is enough";
 }
 

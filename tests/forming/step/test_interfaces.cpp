@@ -162,7 +162,7 @@ TEST(Interfaces, contact_without_resistance_neither_shortens_the_steps_nor_chang
   text = text.substr(0, text.find("[[stage]]\nname = \"press\"")) + text.substr(text.find("[[probe]]"));
   const auto outcome = run_in_folder(scene_of(text), tests::absent_folder());
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
-  EXPECT_LT(outcome.state.totals.steps + outcome.state.totals.rejected, 40);
+  EXPECT_LT(outcome.state.totals.steps + outcome.facts.diagnostics.steps.rejected, 40);
   tests::expect_at_most("contact at h = 1e9 W/m2/K against two half-spaces: heat in 0.2 s off by",
                         std::abs(outcome.state.tools[0].heat_received / exact - 1), 0.05);
 }

@@ -8,12 +8,12 @@
 
 #include "../../scene_text.hpp"
 #include "core/io/files.hpp"
+#include "forming/diagnostics/temperature_bounds.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/run/run.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/step/heat/bounds/temperature_bounds.hpp"
 
 namespace parison::forming {
 namespace {
@@ -66,16 +66,16 @@ TEST(Checks, glass_above_all_that_heats_it_is_told_with_stage_place_and_size_unt
   const Scene thick = chilled("1.5 mm"), thin = chilled("0.03 mm");
   const RunOutcome coarse = run(thick, {}, {}), fine = run(thin, {}, {});
   ASSERT_TRUE(coarse.facts.completed && fine.facts.completed) << coarse.facts.reason << fine.facts.reason;
-  const HottestGlass& hottest = coarse.state.totals.hottest_glass;
-  const std::string told = hot_glass_text(thick, coarse.state);
-  std::printf("%s\nin thin cells %.2f K\n", told.c_str(), fine.state.totals.hottest_glass.above);
+  const HotGlass& hottest = coarse.facts.diagnostics.hot_glass;
+  const std::string told = hot_glass_text(thick, hottest);
+  std::printf("%s\nin thin cells %.2f K\n", told.c_str(), fine.facts.diagnostics.hot_glass.above);
   EXPECT_GT(hottest.above, 20);
   EXPECT_EQ(told.find(fmt::format("{:.0f} K above all that heats it, in rest at ", hottest.above)), 0u) << told;
   EXPECT_GT(hottest.z, 0.05e-3);
   EXPECT_LT(hottest.z, 2.5e-3) << "one cell behind the skin";
   EXPECT_GT(hottest.volume_share, 0);
   EXPECT_LT(hottest.volume_share, 0.4);
-  EXPECT_LT(fine.state.totals.hottest_glass.above, 0.5 * hottest.above);
+  EXPECT_LT(fine.facts.diagnostics.hot_glass.above, 0.5 * hottest.above);
 }
 
 TEST(Checks, work_that_glass_too_hot_fails_to_do_is_that_of_its_viscosity) {
@@ -85,10 +85,10 @@ TEST(Checks, work_that_glass_too_hot_fails_to_do_is_that_of_its_viscosity) {
   const State start = initial_state(scene);
   const auto cells = start.glass.mesh.cells().size();
   const std::vector<double> dissipation(cells, 2.0 / static_cast<double>(cells));
-  const double source = hottest_source(scene, start);
+  const double source = hottest_source(scene, 0);
   const auto missing = [&](double above) {
     return hot_work(scene, start, Eigen::VectorXd::Constant(start.glass.mesh.node_count(), source + above), dissipation,
-                    0.5);
+                    source, 0.5);
   };
   const auto viscosity = [](double kelvin) { return std::pow(10, 3922 / (kelvin - 291 - 273.15)); };
   EXPECT_EQ(missing(-1), 0);

@@ -82,12 +82,12 @@ TEST(Work, what_an_impact_creates_is_an_error_of_the_step) {
 TEST(SolverStatistics, of_the_steps_is_summed_and_every_step_has_its_limit) {
   const std::string results = tests::absent_folder();
   const auto outcome = run_in_folder(pot_and_air(), results);
-  const SolverStatistics& statistics = outcome.facts.solver_statistics;
+  const SolverStatistics& statistics = outcome.facts.diagnostics.steps;
   const auto& by = statistics.limited_by;
   EXPECT_EQ(std::accumulate(by.begin(), by.end(), 0), outcome.state.totals.steps);
   EXPECT_EQ(by[static_cast<std::size_t>(StepLimit::initial)], 2);
   EXPECT_GE(statistics.flow_solves, statistics.flow_factorisations);
-  EXPECT_GE(statistics.coupling_iterations, outcome.state.totals.steps + outcome.state.totals.rejected);
+  EXPECT_GE(statistics.coupling_iterations, outcome.state.totals.steps + outcome.facts.diagnostics.steps.rejected);
   EXPECT_GT(statistics.contact_changes, 0);
   EXPECT_GE(statistics.contacts, outcome.state.totals.steps);
   EXPECT_LE(statistics.locked_contacts, statistics.contacts);

@@ -186,7 +186,8 @@ TEST_F(WhatIfTest, a_tool_that_was_not_used_yet_may_be_another_one) {
   EXPECT_NEAR(sleeve.heat_through[2], expected.heat_through[2], 1e-3 * expected.heat_through[2]);
   EXPECT_NEAR(sleeve.heat_received, expected.heat_received, 2e-3 * expected.heat_received);
   EXPECT_GT(sleeve.heat_received, 1.02 * before.heat_received);
-  EXPECT_NEAR(branch.facts.extremes.tools[2].temperature, whole.facts.extremes.tools[2].temperature, 0.05);
+  EXPECT_NEAR(branch.facts.diagnostics.extremes.tools[2].temperature,
+              whole.facts.diagnostics.extremes.tools[2].temperature, 0.05);
   for (const Check& check : branch.facts.checks)
     if (check.name == "energy_imbalance") EXPECT_EQ(check.verdict(), Verdict::inside);
 }

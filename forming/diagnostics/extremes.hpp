@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <limits>
 #include <vector>
 
@@ -25,7 +27,27 @@ struct Extremes {
   Extreme glass;               ///< against Flags::glass_below
 };
 
+/// Those of the start of a run; nothing without heat.
+Extremes first_extremes(const Scene& scene, const State& start);
+
 /// Takes an accepted step into account; nothing without heat.
-void update_extremes(const Scene& scene, const State& before, const State& state, Extremes& extremes);
+void follow_extremes(const Scene& scene, const State& before, const State& state, Extremes& extremes);
+
+template <typename Visitor, typename Record>
+void visit_extreme(Visitor visit, Record& extreme) {
+  visit("temperature", extreme.temperature);
+  visit("time", extreme.time);
+  visit("r", extreme.at[0]);
+  visit("z", extreme.at[1]);
+  visit("first_beyond", extreme.first_beyond);
+  visit("seconds_beyond", extreme.seconds_beyond);
+}
+
+template <typename Visitor, typename Whole>
+void visit_extremes(Visitor visit, Whole& extremes) {
+  visit_extreme(visit.part("coldest_glass"), extremes.glass);
+  for (std::size_t i = 0; i < extremes.tools.size(); ++i)
+    visit_extreme(visit.part(fmt::format("hottest_tool_{}", i)), extremes.tools[i]);
+}
 
 }  // namespace parison::forming

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/heat/bounds/table_excess.hpp"
+#include "forming/diagnostics/table_excess.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ void follow(const TabledProperty& property, const core::Mesh& mesh, core::Geomet
 }
 
 /// Conductivity and heat capacity.
-void follow_thermal(const Scene& scene, Index body, double dt, State& state, TablesExcess& excess) {
+void follow_thermal(const Scene& scene, const State& state, Index body, double dt, TablesExcess& excess) {
   const Body& data = body_of(scene, body);
   if (!data.thermal) return;
   const thermal::Material& material = *data.thermal;
@@ -99,21 +99,21 @@ void follow_thermal(const Scene& scene, Index body, double dt, State& state, Tab
       material.heat_capacity, [&](double T) { return material.heat_capacity(T); }, excess.heat_capacity);
 }
 
-void follow_viscosity(const Scene& scene, double dt, State& state) {
+void follow_viscosity(const Scene& scene, const State& state, double dt, TableExcess& excess) {
   const flow::Viscosity& law = scene.glass.flow->viscosity;
   if (!law.table) return;
   const auto error = [&](double T) { return law.is_capped(T) ? 0 : law.table->error_beyond(T); };
   follow({law.table->coldest(), law.table->hottest(), error, {}}, state.glass.mesh, scene.geometry,
-         state.glass.temperature, dt, state.glass.tables.flow);
+         state.glass.temperature, dt, excess);
 }
 
-void follow_friction(const Scene& scene, Index tool, double dt, State& state) {
+void follow_friction(const Scene& scene, const State& state, Index tool, double dt, TableExcess& excess) {
   const auto& table = scene.tools[tool].friction.by_temperature;
   if (!table || !is_table(*table)) return;
   const auto touches = [&](Index node) { return state.glass.contact_tool[node] == tool; };
   const auto error = [&](double T) { return missed_change(*table, T); };  // of a logarithm
   follow({table->x.front(), table->x.back(), error, touches, false}, state.glass.mesh, scene.geometry,
-         state.glass.temperature, dt, state.tools[tool].tables.flow);
+         state.glass.temperature, dt, excess);
 }
 
 bool has_thermal_tables(const Body& body) {
@@ -128,13 +128,13 @@ bool has_property_tables(const Scene& scene) {
                      [](const Tool& tool) { return has_thermal_tables(tool) || tool.friction.by_temperature; });
 }
 
-void update_table_excess(const Scene& scene, double dt, State& state) {
-  follow_thermal(scene, glass_body, dt, state, state.glass.tables);
-  if (scene.has_flow()) follow_viscosity(scene, dt, state);
-  for (Index tool = 0; tool < static_cast<Index>(state.tools.size()); ++tool) {
-    follow_thermal(scene, body_of_tool(tool), dt, state, state.tools[tool].tables);
-    if (scene.has_flow()) follow_friction(scene, tool, dt, state);
-  }
+void follow_tables(const Scene& scene, const State& state, Index body, double dt, TablesExcess& excess) {
+  follow_thermal(scene, state, body, dt, excess);
+  if (!scene.has_flow()) return;
+  if (body == glass_body)
+    follow_viscosity(scene, state, dt, excess.flow);
+  else
+    follow_friction(scene, state, body - body_of_tool(0), dt, excess.flow);
 }
 
 }  // namespace parison::forming

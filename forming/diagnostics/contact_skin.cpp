@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/heat/contact_skin.hpp"
+#include "forming/diagnostics/contact_skin.hpp"
 
 #include <cmath>
 #include <limits>
@@ -59,48 +59,58 @@ void close(const Scene& scene, const State& state, Index tool, ContactSkin& skin
   skin = after;
 }
 
+/// What the interface of a step gives the skin at one tool.
+struct Touch {
+  double area = 0, conductance = 0, glass_cell = 0, tool_cell = 0;  ///< m2, W/K, m3, m3
+};
+
+/// By tool.
+std::vector<Touch> touches(const Scene& scene, const State& state, const std::vector<core::InterfacePoint>& interface) {
+  std::vector<Touch> found(state.tools.size());
+  if (interface.empty()) return found;
+  const Eigen::VectorXd cells = surface_cells(state.glass.mesh);
+  std::vector<Eigen::VectorXd> of_tool(found.size());
+  const FaceTemperatureArrays temperature = face_temperatures(state, interface);
+  Eigen::ArrayXd h(interface.size());
+  long clamped = 0;
+  interface_law(scene, interface, state.time, clamped)(state.time, interface, {temperature.glass, temperature.tool}, h,
+                                                       nullptr);
+  for (std::size_t p = 0; p < interface.size(); ++p) {
+    const core::InterfacePoint& point = interface[p];
+    const std::size_t tool = point.master_body - body_of_tool(0);
+    if (of_tool[tool].size() == 0) of_tool[tool] = surface_cells(state.tools[tool].mesh);
+    const double weight = point.contact_weight * point.area;
+    found[tool].area += weight;
+    found[tool].conductance += weight * h[p];
+    found[tool].glass_cell += weight * cells[point.slave_nodes[2]];
+    found[tool].tool_cell += weight * of_tool[tool][point.master_nodes[2]];
+  }
+  return found;
+}
+
 }  // namespace
 
-void update_contact_skins(const Scene& scene, const std::vector<core::InterfacePoint>& interface, double dt,
-                          const std::vector<double>& heat_before, State& state) {
-  const std::size_t tools = state.tools.size();
-  std::vector<double> area(tools), conductance(tools), glass_cell(tools), tool_cell(tools);
-  if (!interface.empty()) {
-    const Eigen::VectorXd cells = surface_cells(state.glass.mesh);
-    std::vector<Eigen::VectorXd> of_tool(tools);
-    const FaceTemperatureArrays temperature = face_temperatures(state, interface);
-    Eigen::ArrayXd h(interface.size());
-    long clamped = 0;
-    interface_law(scene, interface, state.time, clamped)(state.time, interface, {temperature.glass, temperature.tool},
-                                                         h, nullptr);
-    for (std::size_t p = 0; p < interface.size(); ++p) {
-      const core::InterfacePoint& point = interface[p];
-      const std::size_t tool = point.master_body - body_of_tool(0);
-      if (of_tool[tool].size() == 0) of_tool[tool] = surface_cells(state.tools[tool].mesh);
-      const double weight = point.contact_weight * point.area;
-      area[tool] += weight;
-      conductance[tool] += weight * h[p];
-      glass_cell[tool] += weight * cells[point.slave_nodes[2]];
-      tool_cell[tool] += weight * of_tool[tool][point.master_nodes[2]];
-    }
-  }
-  for (std::size_t tool = 0; tool < tools; ++tool) {
-    ContactSkin& skin = state.tools[tool].skin;
-    if (is_another(skin, area[tool], conductance[tool])) close(scene, state, Index(tool), skin);
-    const double heat = state.tools[tool].heat_received - heat_before[tool];
+void follow_contact_skins(const Scene& scene, const State& before, const StepResult& step,
+                          std::vector<ContactSkin>& skins) {
+  const double dt = step.report.dt;
+  const std::vector<Touch> touched = touches(scene, step.at_heat, step.report.interface);
+  for (std::size_t tool = 0; tool < skins.size(); ++tool) {
+    ContactSkin& skin = skins[tool];
+    const Touch& touch = touched[tool];
+    if (is_another(skin, touch.area, touch.conductance)) close(scene, step.at_heat, Index(tool), skin);
+    const double heat = step.state.tools[tool].heat_received - before.tools[tool].heat_received;
     skin.exchanged += std::abs(heat);
-    if (area[tool] == 0) continue;
-    skin.peak_area = std::max(skin.peak_area, area[tool]);
-    skin.area_time += dt * area[tool];
-    skin.conductance += dt * conductance[tool];
-    skin.glass_cell += dt * glass_cell[tool];
-    skin.tool_cell += dt * tool_cell[tool];
+    if (touch.area == 0) continue;
+    skin.peak_area = std::max(skin.peak_area, touch.area);
+    skin.area_time += dt * touch.area;
+    skin.conductance += dt * touch.conductance;
+    skin.glass_cell += dt * touch.glass_cell;
+    skin.tool_cell += dt * touch.tool_cell;
     skin.heat += heat;
   }
 }
 
-double contact_skin_error(const Scene& scene, const State& state, Index tool) {
-  ContactSkin skin = state.tools[tool].skin;
+double contact_skin_error(const Scene& scene, const State& state, Index tool, ContactSkin skin) {
   if (!(skin.exchanged > 0)) return std::numeric_limits<double>::quiet_NaN();
   close(scene, state, tool, skin);
   return skin.wrong / skin.exchanged;

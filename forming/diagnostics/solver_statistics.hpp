@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
+#include "forming/scene/scene.hpp"
 #include "forming/step/step_result.hpp"
 
 namespace parison::forming {
@@ -12,12 +13,13 @@ struct SolverStatistics {
   long contacts = 0;         ///< active, summed over all steps
   long locked_contacts = 0;  ///< contacts, over all steps, that pulled but stayed closed
   Index max_coupling_iterations = 0, max_flow_solves = 0, max_contact_changes = 0,
-        max_heat_substeps = 0;                         ///< in one step
+        max_heat_substeps = 0;          ///< in one step
+  Index rejected = 0, short_steps = 0;  ///< steps refused; accepted ones nearly as short as numerics.min_step
   std::array<Index, step_limits.size()> limited_by{};  ///< steps by StepLimit
 };
 
 /// Adds a step that was tried; one that was `accepted` counts for its limit.
-void add_step(const StepReport& report, bool accepted, SolverStatistics& statistics);
+void add_step(const Scene& scene, const StepReport& report, bool accepted, SolverStatistics& statistics);
 
 template <typename Visitor, typename Counts>
 void visit_statistics(Visitor visit, Counts& statistics) {
@@ -28,6 +30,8 @@ void visit_statistics(Visitor visit, Counts& statistics) {
   visit("heat_substeps", statistics.heat_substeps);
   visit("contacts", statistics.contacts);
   visit("locked_contacts", statistics.locked_contacts);
+  visit("rejected", statistics.rejected);
+  visit("short_steps", statistics.short_steps);
   visit("max_coupling_iterations_per_step", statistics.max_coupling_iterations);
   visit("max_flow_solves_per_step", statistics.max_flow_solves);
   visit("max_contact_changes_per_step", statistics.max_contact_changes);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/process/extremes.hpp"
+#include "forming/diagnostics/extremes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "forming/report/process/tool_surface.hpp"
+#include "forming/state/tool_surface.hpp"
 
 namespace parison::forming {
 namespace {
@@ -24,26 +24,40 @@ bool touches_glass(const Scene& scene, const State& state, Index tool) {
   return std::any_of(tools.begin(), tools.end(), [&](const StageTool& entry) { return entry.tool == tool; });
 }
 
-}  // namespace
-
-void update_extremes(const Scene& scene, const State& before, const State& state, Extremes& extremes) {
-  if (!scene.has_heat()) return;
-  const Flags& flags = scene.output.flags;
+/// Raises the hottest surfaces and lowers the coldest glass to those of a state.
+void include(const State& state, Extremes& extremes) {
   extremes.tools.resize(state.tools.size());
   for (std::size_t i = 0; i < state.tools.size(); ++i) {
     const HottestPoint hottest = hottest_surface_point(state.tools[i]);
     Extreme& extreme = extremes.tools[i];
     if (hottest.temperature > extreme.temperature || std::isnan(extreme.temperature))
       extreme.temperature = hottest.temperature, extreme.time = state.time, extreme.at = hottest.at;
-    if (hottest.temperature > flags.tool_surface_above && touches_glass(scene, state, static_cast<Index>(i)))
-      add_time_beyond(before, state, extreme);
   }
   Eigen::Index coldest = 0;
   const double temperature = state.glass.temperature.minCoeff(&coldest);
   if (!(temperature >= extremes.glass.temperature))
     extremes.glass.temperature = temperature, extremes.glass.time = state.time,
     extremes.glass.at = state.glass.mesh.nodes[static_cast<std::size_t>(coldest)];
-  if (flags.glass_below && temperature < *flags.glass_below) add_time_beyond(before, state, extremes.glass);
+}
+
+}  // namespace
+
+Extremes first_extremes(const Scene& scene, const State& start) {
+  Extremes extremes;
+  if (scene.has_heat()) include(start, extremes);
+  return extremes;
+}
+
+void follow_extremes(const Scene& scene, const State& before, const State& state, Extremes& extremes) {
+  if (!scene.has_heat()) return;
+  include(state, extremes);
+  const Flags& flags = scene.output.flags;
+  for (std::size_t i = 0; i < state.tools.size(); ++i)
+    if (hottest_surface_point(state.tools[i]).temperature > flags.tool_surface_above &&
+        touches_glass(scene, state, static_cast<Index>(i)))
+      add_time_beyond(before, state, extremes.tools[i]);
+  if (flags.glass_below && state.glass.temperature.minCoeff() < *flags.glass_below)
+    add_time_beyond(before, state, extremes.glass);
 }
 
 }  // namespace parison::forming

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/process/tool_surface.hpp"
+#include "forming/state/tool_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/solver_statistics.hpp"
+#include "forming/diagnostics/solver_statistics.hpp"
 
 #include <algorithm>
 
 namespace parison::forming {
 
-void add_step(const StepReport& report, bool accepted, SolverStatistics& statistics) {
+namespace {
+
+/// Times numerics.min_step: a step below counts as collapsed.
+constexpr double short_step = 10;
+
+}  // namespace
+
+void add_step(const Scene& scene, const StepReport& report, bool accepted, SolverStatistics& statistics) {
   statistics.coupling_iterations += report.coupling_iterations;
   statistics.flow_solves += report.flow_solves;
   statistics.flow_factorisations += report.flow_factorisations;
@@ -17,7 +24,12 @@ void add_step(const StepReport& report, bool accepted, SolverStatistics& statist
   statistics.max_flow_solves = std::max(statistics.max_flow_solves, report.flow_solves);
   statistics.max_contact_changes = std::max(statistics.max_contact_changes, report.contact_changes);
   statistics.max_heat_substeps = std::max(statistics.max_heat_substeps, report.heat_substeps);
-  if (accepted) ++statistics.limited_by[static_cast<std::size_t>(report.limit)];
+  if (!accepted) {
+    ++statistics.rejected;
+    return;
+  }
+  ++statistics.limited_by[static_cast<std::size_t>(report.limit)];
+  if (report.dt < short_step * scene.accuracy.min_step) ++statistics.short_steps;
 }
 
 }  // namespace parison::forming

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/step/heat/bounds/temperature_bounds.hpp"
+#include "forming/diagnostics/temperature_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,25 +11,6 @@
 namespace parison::forming {
 
 namespace {
-
-/// Follows how far temperatures inside a body go beyond those that its surface and its start have had.
-void update_bounds(const core::Mesh& mesh, const Eigen::VectorXd& temperature, const Body& body, double heating,
-                   double tolerance, double dt, TemperatureBounds& bounds) {
-  if (temperature.size() == 0) return;
-  if (bounds.hottest == 0) {
-    bounds.coldest = body.start_field ? body.start_field->min : body.initial_temperature;
-    bounds.hottest = body.start_field ? body.start_field->max : body.initial_temperature;
-  }
-  for (const auto& edge : mesh.boundary_edges()) {
-    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
-    for (const Index node : edge.nodes) {
-      bounds.coldest = std::min(bounds.coldest, temperature[node]);
-      bounds.hottest = std::max(bounds.hottest, temperature[node]);
-    }
-  }
-  bounds.undershoot += dt * std::max(0.0, bounds.coldest - temperature.minCoeff() - tolerance);
-  bounds.overshoot += dt * std::max(0.0, temperature.maxCoeff() - bounds.hottest - heating - tolerance);
-}
 
 /// Of a cell with straight sides, m3.
 double volume_of(const core::Mesh& mesh, const std::array<Index, 6>& cell, core::Geometry geometry) {
@@ -67,28 +48,23 @@ double share_above(const Scene& scene, const State& state, double limit) {
   return above / whole;
 }
 
-void note_hottest_glass(const Scene& scene, double dt, State& state) {
-  const Eigen::VectorXd& temperature = state.glass.temperature;
-  if (temperature.size() == 0) return;
-  HottestGlass& hottest = state.totals.hottest_glass;
-  const double source = hottest_source(scene, state);
-  Index node = 0;
-  const double above = temperature.maxCoeff(&node) - source;
-  if (!(above > hottest.above)) return;
-  const Point& x = state.glass.mesh.nodes[node];
-  hottest = {above,           x[0],        x[core::dim - 1],
-             state.time + dt, state.stage, share_above(scene, state, source + told_excess)};
+/// The highest temperature of any body, K.
+double hottest_of_all(const State& state) {
+  double hottest = 0;
+  for (Index body = 0; body < body_count(state); ++body)
+    if (const auto& temperature = temperature_of(state, body); temperature.size() > 0)
+      hottest = std::max(hottest, temperature.maxCoeff());
+  return hottest;
 }
 
 }  // namespace
 
-double hottest_source(const Scene& scene, const State& state) {
-  return temperature_range(scene).max_temperature + state.totals.viscous_heating + temperature_tolerance(scene);
+double hottest_source(const Scene& scene, double viscous_heating) {
+  return temperature_range(scene).max_temperature + viscous_heating + temperature_tolerance(scene);
 }
 
 double hot_work(const Scene& scene, const State& state, const Eigen::VectorXd& temperature,
-                const std::vector<double>& dissipation, double dt) {
-  const double source = hottest_source(scene, state);
+                const std::vector<double>& dissipation, double source, double dt) {
   if (temperature.maxCoeff() <= source) return 0;
   const flow::Viscosity& viscosity = scene.glass.flow->viscosity;
   const auto& cells = state.glass.mesh.cells();
@@ -103,13 +79,44 @@ double hot_work(const Scene& scene, const State& state, const Eigen::VectorXd& t
   return dt * power;
 }
 
-void update_temperature_bounds(const Scene& scene, const std::vector<double>& dissipation, double dt, State& state) {
-  if (!dissipation.empty()) state.totals.viscous_heating += viscous_heating(scene, state, dissipation, dt);
-  note_hottest_glass(scene, dt, state);
-  for (Index b = 0; b < body_count(state); ++b)
-    update_bounds(mesh_of(state, b), temperature_of(state, b), body_of(scene, b),
-                  b == glass_body ? state.totals.viscous_heating : 0, temperature_tolerance(scene), dt,
-                  b == glass_body ? state.glass.bounds : state.tools[b - 1].bounds);
+void follow_hot_glass(const Scene& scene, const State& before, const StepResult& step, HotGlass& hot) {
+  const State& now = step.at_heat;
+  const double dt = step.report.dt;
+  hot.overshoot = std::max(hot.overshoot, hottest_of_all(now) - temperature_range(scene).max_temperature);
+  if (!step.dissipation.empty()) {
+    hot.work += hot_work(scene, before, step.flow_temperature, step.dissipation,
+                         hottest_source(scene, hot.viscous_heating), dt);
+    hot.viscous_heating += viscous_heating(scene, now, step.dissipation, dt);
+  }
+  const double source = hottest_source(scene, hot.viscous_heating);
+  Index node = 0;
+  const double above = now.glass.temperature.maxCoeff(&node) - source;
+  if (!(above > hot.above)) return;
+  const Point& x = now.glass.mesh.nodes[node];
+  hot.above = above, hot.r = x[0], hot.z = x[core::dim - 1];
+  hot.time = before.time + dt, hot.stage = before.stage;
+  hot.volume_share = share_above(scene, now, source + told_excess);
+}
+
+void follow_bounds(const Scene& scene, const StepResult& step, Index body, double heating, TemperatureBounds& bounds) {
+  const core::Mesh& mesh = mesh_of(step.at_heat, body);
+  const Eigen::VectorXd& temperature = temperature_of(step.at_heat, body);
+  if (temperature.size() == 0) return;
+  const double tolerance = temperature_tolerance(scene), dt = step.report.dt;
+  const Body& data = body_of(scene, body);
+  if (bounds.hottest == 0) {
+    bounds.coldest = data.start_field ? data.start_field->min : data.initial_temperature;
+    bounds.hottest = data.start_field ? data.start_field->max : data.initial_temperature;
+  }
+  for (const auto& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
+    for (const Index node : edge.nodes) {
+      bounds.coldest = std::min(bounds.coldest, temperature[node]);
+      bounds.hottest = std::max(bounds.hottest, temperature[node]);
+    }
+  }
+  bounds.undershoot += dt * std::max(0.0, bounds.coldest - temperature.minCoeff() - tolerance);
+  bounds.overshoot += dt * std::max(0.0, temperature.maxCoeff() - bounds.hottest - heating - tolerance);
 }
 
 }  // namespace parison::forming
