@@ -1,57 +1,61 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scatter of a wall when all tools are warmer by 0.001 to 0.02 K: what a discrete decision taken otherwise changes."""
+"""Scatter of a wall over changes that mean nothing: what a discrete decision taken otherwise changes."""
 import math
 import sys
-import tomllib
 
-from benchmarks.common import ROOT, Figure, build, new_path, parison, read_summary, warmer_tool
+from benchmarks.common import ROOT, Figure, build, new_path, parison, read_summary
+from benchmarks.harmless import variants
 
-RUNS, RUNS_OF_CONTAINER, WARMER = 20, 10, 0.001  # K, from one run to the next
 TARGETS = {"draft": 0.2, "standard": 0.08}  # %
 
 
-def warmer(text, change):
-    """Overrides that set the temperature of every tool higher by `change`, K."""
-    for tool in tomllib.loads(text)["tool"]:
-        yield from ("--set", warmer_tool(tool, change))
+def shares(profile, base):
+    """Differences of a wall from the unchanged one place by place, as shares."""
+    return [v / b - 1 for v, b in zip(profile, base) if v is not None and b is not None]
 
 
-def deviations(profile):
-    """Values of one place in all runs minus the straight line through them, as shares of their mean."""
-    count, mean = len(profile), sum(profile) / len(profile)
-    places = [i - (count - 1) / 2 for i in range(count)]
-    slope = sum(i * v for i, v in zip(places, profile)) / sum(i * i for i in places)
-    return [(v - mean - slope * i) / mean for i, v in zip(places, profile)]
+def root_mean_square(values):
+    return math.sqrt(sum(v * v for v in values) / len(values)) if values else math.nan
 
 
-def scatter(case, accuracy, runs):
-    """Root mean square over all places and runs, %, and that of the place where it is largest."""
-    text = case.read_text(encoding="utf-8")
-    profiles = []
-    for i in range(runs):
-        _, folder = parison(case, accuracy, *warmer(text, i * WARMER))
-        profiles.append(read_summary(folder)["thickness_profile_mm"])
-    places = [sum(d * d for d in deviations(place)) / (runs - 2) for place in zip(*profiles) if None not in place]
-    return 100 * math.sqrt(sum(places) / len(places)), 100 * math.sqrt(max(places))
+def scatter(case, accuracy):
+    """Root mean square over places and variants, %, by kind of change and of all, and that of the worst place."""
+    _, folder = parison(case, accuracy)
+    summary = read_summary(folder)
+    base = summary["thickness_profile_mm"]
+    by_kind = {}
+    for kind, changed, overrides in variants(case, summary["numerics"], lambda: new_path("case")):
+        _, folder = parison(changed, accuracy, *overrides)
+        by_kind.setdefault(kind, []).append(shares(read_summary(folder)["thickness_profile_mm"], base))
+    # The unchanged run is one draw among them: two draws differ by the root of two scatters.
+    every = [profile for profiles in by_kind.values() for profile in profiles]
+    kinds = {kind: 100 * root_mean_square([v for p in profiles for v in p]) / math.sqrt(2) for kind, profiles in by_kind.items()}
+    return kinds, 100 * root_mean_square([v for p in every for v in p]) / math.sqrt(2), \
+        100 * max(root_mean_square(place) for place in zip(*every)) / math.sqrt(2)
+
+
+def figures(case, accuracy, key, what, target=None):
+    kinds, everywhere, worst = scatter(case, accuracy)
+    yield Figure(key, f"scatter of the wall of {what}, place by place, {accuracy}", everywhere, target, unit="%")
+    yield Figure(f"{key}.worst", f"  at the worst place of {what}", worst, unit="%")
+    for kind, found in kinds.items():
+        yield Figure(f"{key}/{kind}", f"  {kind}", found, unit="%")
 
 
 def section(options):
     build("parison")
     for accuracy in [options.accuracy] if options.accuracy else ["draft"]:
-        yield Figure(f"noise.{accuracy}", f"scatter of the jar's wall place by place, tools warmer by mK, {RUNS} runs, {accuracy}",
-                     scatter(ROOT / "cases/jar/case.toml", accuracy, RUNS)[0], TARGETS.get(accuracy), unit="%")
+        yield from figures(ROOT / "cases/jar/case.toml", accuracy, f"noise.{accuracy}.jar", "the jar", TARGETS.get(accuracy))
 
 
 def containers(options):
-    """The same of the random containers with a reference."""
+    """The same of the bottle and of the random containers with a reference."""
     sys.path.insert(0, str(ROOT / "tests"))
     from containers import references  # pylint: disable=import-outside-toplevel
     build("parison")
     accuracy = options.accuracy or "draft"
+    yield from figures(ROOT / "cases/bottle/case.toml", accuracy, f"noise.{accuracy}.bottle", "the bottle")
     for name in references.references():
         seed, number = name.split("/")
         _, case = references.write_case(seed, int(number[:3]), new_path("container"))
-        everywhere, worst = scatter(case, accuracy, RUNS_OF_CONTAINER)
-        what = f"container {number} of seed {seed}, {RUNS_OF_CONTAINER} runs, {accuracy}"
-        yield Figure(f"noise.{accuracy}.{number}", f"scatter of the wall of {what}, place by place", everywhere, unit="%")
-        yield Figure(f"noise.{accuracy}.{number}.worst", f"scatter at the worst place of {what}", worst, unit="%")
+        yield from figures(case, accuracy, f"noise.{accuracy}.container_{number}", f"container {number} of seed {seed}")

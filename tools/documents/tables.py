@@ -67,11 +67,12 @@ def scene_bars():
 
 def noise():
     stored = store.read(store.BENCHMARKS, "tools/bench noise container_noise --save")
-    rows = [["the bundled jar, 20 runs", percent("noise.draft"), "", percent("noise.standard")]]
-    for key in sorted(key for key in stored if key.startswith("noise.draft.") and not key.endswith(".worst")):
-        number, family = key.rsplit(".", 1)[1].split("_", 1)
-        rows.append([f"random container {int(number)}, {family.replace('_', ' ')}, 10 runs", percent(key), percent(f"{key}.worst"), ""])
-    return table(["wall of", "draft, all places", "worst place", "standard, all places"], rows)
+    walls = sorted(key for key in stored if key.startswith("noise.") and not key.endswith(".worst") and "/" not in key)
+    kinds = list(dict.fromkeys(key.split("/")[1] for key in stored if key.startswith("noise.") and "/" in key))
+    cell = lambda key: percent(key) if key in stored else ""
+    rows = [[", ".join(reversed([part.replace("_", " ") for part in wall.split(".")[1:]])), cell(wall), cell(f"{wall}.worst"),
+             *(cell(f"{wall}/{kind}") for kind in kinds)] for wall in walls]
+    return table(["wall of", "all places", "worst place", *kinds], rows)
 
 
 def asked_accuracies():
