@@ -30,6 +30,7 @@ void add_step(const Scene& scene, const StepReport& report, bool accepted, Solve
   }
   ++statistics.limited_by[static_cast<std::size_t>(report.limit)];
   if (report.dt < short_step * scene.accuracy.min_step) ++statistics.short_steps;
+  if (report.unconverged) ++statistics.unconverged;
 }
 
 }  // namespace parison::forming

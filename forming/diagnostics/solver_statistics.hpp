@@ -15,6 +15,7 @@ struct SolverStatistics {
   Index max_coupling_iterations = 0, max_flow_solves = 0, max_contact_changes = 0,
         max_heat_substeps = 0;          ///< in one step
   Index rejected = 0, short_steps = 0;  ///< steps refused; accepted ones nearly as short as numerics.min_step
+  Index unconverged = 0;                ///< accepted steps whose coupling iteration ended at its limit
   std::array<Index, step_limits.size()> limited_by{};  ///< steps by StepLimit
 };
 
@@ -32,6 +33,7 @@ void visit_statistics(Visitor visit, Counts& statistics) {
   visit("locked_contacts", statistics.locked_contacts);
   visit("rejected", statistics.rejected);
   visit("short_steps", statistics.short_steps);
+  visit("unconverged", statistics.unconverged);
   visit("max_coupling_iterations_per_step", statistics.max_coupling_iterations);
   visit("max_flow_solves_per_step", statistics.max_flow_solves);
   visit("max_contact_changes_per_step", statistics.max_contact_changes);

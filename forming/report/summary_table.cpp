@@ -125,8 +125,10 @@ std::string wall_line(const RunFacts& run) {
 std::string run_lines(const Scene& scene, const State& state, const Summary& summary) {
   const Totals& totals = state.totals;
   const Diagnostics& seen = summary.run.diagnostics;
-  std::string text =
-      line("steps", fmt::format("{} ({} rejected), {} remeshes", totals.steps, seen.steps.rejected, remeshes(state)));
+  const std::string unconverged =
+      seen.steps.unconverged > 0 ? fmt::format(", {} with a coupling not converged", seen.steps.unconverged) : "";
+  std::string text = line("steps", fmt::format("{} ({} rejected{}), {} remeshes", totals.steps, seen.steps.rejected,
+                                               unconverged, remeshes(state)));
   text += line("volume drift", fmt::format("{:.4f} % at the end, {:.4f} % at the most",
                                            100 * summary.glass.volume_drift, 100 * seen.max_drift));
   if (scene.has_heat()) {

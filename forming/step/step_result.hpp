@@ -23,6 +23,7 @@ struct StepReport {
         heat_substeps = 0;    ///< in all coupling iterations
   Index contacts = 0;         ///< active, in the last coupling iteration
   Index locked_contacts = 0;  ///< that pull but stay closed, in the last coupling iteration
+  bool unconverged = false;   ///< the last coupling iteration that is allowed has not met its conditions
   StepLimit limit = StepLimit::initial;
   double temperature_change = 0;              ///< largest of the glass surface, K
   double predictor_corrector_difference = 0;  ///< by which the last coupling iteration still moved the mid-step mesh, m

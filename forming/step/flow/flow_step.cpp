@@ -227,7 +227,8 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
            !rejected_for_work(scene, result.report) && !is_much_corrected(scene, *solution, dt, state.totals.work) &&
            missed() <= iterated_missed_volume;
   };
-  for (int iteration = 0; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
+  int iteration = 0;
+  for (; iteration == 0 || (iteration < max_coupling_iterations && !converged()); ++iteration) {
     solution = flow_iteration(start, predictor, workspace, result, gained);
     if (!solution) return false;
     result.state.totals.work = state.totals.work;
@@ -237,6 +238,7 @@ bool iterate_until_converged(const StepStart& start, MidpointPredictor& predicto
       result.report.work_error =
           work_error(scene, state, state.totals.work, result.state.totals.work, dt * solution->recovery_power);
   }
+  result.report.unconverged = iteration == max_coupling_iterations && !converged();
   if (gained > DepthLimits(scene).reject && dt > min_step_ratio * scene.accuracy.initial_step) {
     result.reason = collision_without_contact(start, result.state);
     result.unrecoverable = !result.reason.empty() && dt <= scene.accuracy.initial_step;
