@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "forming/scene/preset_scales.hpp"
-#include "forming/step/step_control.hpp"
 
 namespace parison::tools {
 namespace {
@@ -43,7 +42,7 @@ double steps_to_come(const forming::RunView& run, double taken, double expected)
   if ((1 + least) * taken <= expected) return expected - taken;
   const Stage& stage = run.scene.stages[static_cast<std::size_t>(run.state.stage)];
   if (stage.may_end_early()) return least * taken;
-  const double over = run.state.stage_time / forming::longest_stage_time(run.scene, run.state);
+  const double over = run.state.stage_time / stage.duration;
   return std::max(least * taken, (1 - over) * expected);
 }
 
