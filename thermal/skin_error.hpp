@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
 #include <limits>
 
 namespace parison::thermal {
@@ -29,5 +30,22 @@ double skin_error(const SkinSide& first, const SkinSide& second, double h, doubl
 /// Conductance, W/m2/K, beyond which a contact counts as perfect: its resistance is 1e-6 of that of layers of such
 /// conductivity and thickness, W/m/K and m. More changes nothing but the round-off.
 double perfect_conductance(double conductivity, double thickness);
+
+/// Stiffness, W/m2/K, and mass, J/m2/K, of the cells under one place of a surface; the first unknown is the surface.
+struct SkinColumn {
+  Eigen::MatrixXd stiffness, mass;
+};
+
+/// The column of a layer, for times up to `time`, s; `shortest`, s, is that of the thinnest skin that matters.
+SkinColumn skin_column(const SkinSide& side, double time, double shortest);
+
+/// Whether the heat comes to the back of a layer in a time, s.
+bool reaches_back(const SkinSide& side, double time);
+
+/// A layer on a mesh so fine that it stands for the exact solution.
+SkinSide fine_side(SkinSide side);
+
+/// Depth that the heat penetrates in a time, s: sqrt(alpha t), m.
+double penetration(const SkinSide& side, double time);
 
 }  // namespace parison::thermal

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thermal/skin_column.hpp"
+#include "thermal/skin_error.hpp"
 
 namespace parison::thermal {
 

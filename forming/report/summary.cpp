@@ -15,7 +15,7 @@
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/contour/contour.hpp"
 #include "forming/report/error_bars.hpp"
-#include "forming/report/files/tool_rows.hpp"
+#include "forming/report/files/interface_rows.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/report/summary_parts.hpp"
 #include "forming/scene/container/container_plan.hpp"

@@ -7,7 +7,6 @@
 #include "forming/report/cavity_report.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
-#include "forming/report/container/figures.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/model_bars.hpp"
 #include "forming/report/quantity_labels.hpp"

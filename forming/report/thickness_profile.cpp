@@ -9,7 +9,6 @@
 
 #include "core/io/files.hpp"
 #include "core/mesh/element.hpp"
-#include "forming/report/wall/rim_middle.hpp"
 #include "forming/report/wall/surface_chain.hpp"
 #include "forming/report/wall/wall_marks.hpp"
 #include "forming/state/sample.hpp"

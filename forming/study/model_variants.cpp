@@ -11,7 +11,6 @@
 #include "core/case/case_file.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
 #include "forming/scene/materials/material_library.hpp"
-#include "forming/scene/materials/merged_bands.hpp"
 
 namespace parison::forming {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "remesh/surface/corners.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
+
+#include "remesh/surface/resample.hpp"
 
 namespace parison::remesh {
 

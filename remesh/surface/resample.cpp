@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "remesh/surface/corners.hpp"
 #include "remesh/surface/curve.hpp"
 
 namespace parison::remesh {

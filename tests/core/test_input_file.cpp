@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "core/io/digest.hpp"
 #include "core/io/files.hpp"
+#include "core/io/hdf5.hpp"
 #include "core/io/input_file.hpp"
 #include "test_folder.hpp"
 

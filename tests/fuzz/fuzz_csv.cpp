@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/case_file.hpp"
 #include "forming/scene/read/scene_reading.hpp"
-#include "forming/study/law/law_data.hpp"
+#include "forming/study/law/law_fit.hpp"
 #include "fuzz_input.hpp"
 
 using namespace parison;

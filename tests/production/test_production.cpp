@@ -8,11 +8,10 @@
 #include "forming/scene_text.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/study/production/cycle_files.hpp"
-#include "forming/study/production/fixed_point.hpp"
+#include "forming/study/production/heat_cycles.hpp"
+#include "forming/study/production/machine_cycle.hpp"
 #include "forming/study/production/periodic_state.hpp"
 #include "forming/study/production/settled_estimates.hpp"
-#include "forming/study/production/surface_range.hpp"
-#include "forming/study/production/swabbing.hpp"
 #include "forming/study/production/tool_fields.hpp"
 #include "forming/study/production/wanted_cooling.hpp"
 

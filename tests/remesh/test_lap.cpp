@@ -9,7 +9,6 @@
 #include "remesh/mesher/mesh_profile.hpp"
 #include "remesh/profiles.hpp"
 #include "remesh/surface/repair/lap.hpp"
-#include "remesh/surface/repair/loops.hpp"
 
 namespace parison::remesh {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/camera/infrared_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <limits>
 
 #include "core/io/svg.hpp"
+#include "tools/camera/camera.hpp"
 
 namespace parison::tools {
 

@@ -15,7 +15,6 @@
 #include "tools/materials/materials.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/report.hpp"
-#include "tools/report/watch.hpp"
 
 namespace parison::tools {
 namespace {

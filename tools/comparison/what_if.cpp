@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/study/comparison/what_if/what_if.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/what_if/finished_base.hpp"
-#include "forming/study/comparison/what_if/resolution.hpp"
 #include "forming/study/setting_error.hpp"
 #include "tools/comparison/compare.hpp"
 #include "tools/comparison/run_queue.hpp"

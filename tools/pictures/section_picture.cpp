@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/pictures/section_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "core/io/svg.hpp"
 #include "forming/scene/container/container_plan.hpp"
+#include "tools/pictures/pictures.hpp"
 
 namespace parison::tools {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/pictures/timing_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "core/io/svg.hpp"
+#include "tools/pictures/pictures.hpp"
 
 namespace parison::tools {
 namespace {

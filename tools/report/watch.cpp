@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/report/watch.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,17 +10,66 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "core/case/case_error.hpp"
+#include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
 #include "tools/program/stop_request.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/report/data/run_data.hpp"
 #include "tools/report/data/run_names.hpp"
-#include "tools/report/page.hpp"
-#include "tools/report/watched_folder.hpp"
+#include "tools/report/report.hpp"
 
 namespace parison::tools {
+
 namespace {
+
+/// A result folder that may grow, end, vanish and begin anew while it is looked at.
+class WatchedFolder {
+ public:
+  explicit WatchedFolder(std::string path) : path_(std::move(path)) {}
+
+  /// A text that changes with what the folder shows.
+  std::string stamp() const;
+
+  /// The data of its page, of the last moment at which it could be read; `null` before there is a run.
+  const std::string& data();
+
+ private:
+  std::string path_, data_ = "null", stamp_of_data_;
+  ReportCache cache_;
+};
+
+namespace fs = std::filesystem;
+
+std::string WatchedFolder::stamp() const {
+  std::string text;
+  for (const char* name : {"history.csv", "glass.pvd", "summary.json", "case/command.txt"}) {
+    std::error_code missing;
+    const fs::path file = fs::path(path_) / name;
+    const auto size = fs::file_size(file, missing);
+    const auto time = fs::last_write_time(file, missing);
+    text += missing ? "-" : fmt::format("{} {},", size, time.time_since_epoch().count());
+  }
+  std::error_code unreadable;  // as of a link to itself
+  const bool ended = fs::exists(fs::path(path_) / "summary.json", unreadable);
+  return core::fingerprint_text(core::fingerprint(text + (ended || is_written(path_) ? "1" : "0")));
+}
+
+const std::string& WatchedFolder::data() {
+  const std::string now = stamp();
+  if (now == stamp_of_data_) return data_;
+  try {
+    data_ = is_result_folder(path_) ? report_data({path_}, true, cache_) : "null";
+    stamp_of_data_ = now;
+  } catch (const core::CaseError&) {  // the folder is being made or removed: the next look shows it
+  } catch (const core::RunError&) {
+  } catch (const fs::filesystem_error&) {
+  }
+  return data_;
+}
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;

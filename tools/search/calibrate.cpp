@@ -10,7 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/io/written_files.hpp"
-#include "forming/study/search/calibration/intervals.hpp"
+#include "forming/study/search/calibration/calibration.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/folder_lock.hpp"

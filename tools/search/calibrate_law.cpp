@@ -8,7 +8,6 @@
 
 #include "core/case/case_file.hpp"
 #include "forming/scene/scene.hpp"
-#include "forming/study/law/law_data.hpp"
 #include "forming/study/law/law_fit.hpp"
 #include "tools/search/calibrate.hpp"
 

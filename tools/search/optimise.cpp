@@ -9,8 +9,7 @@
 #include <filesystem>
 
 #include "core/io/written_files.hpp"
-#include "forming/study/search/fidelity.hpp"
-#include "forming/study/search/goal_file.hpp"
+#include "forming/study/search/goal.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "forming/study/search/minimum/scalar_search.hpp"
 #include "forming/study/search/search_result.hpp"
@@ -18,7 +17,6 @@
 #include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
 #include "tools/report/report.hpp"
-#include "tools/search/finer_runs.hpp"
 #include "tools/search/search_runs.hpp"
 
 namespace parison::tools {

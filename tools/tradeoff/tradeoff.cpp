@@ -17,8 +17,6 @@
 #include "forming/scene/scene.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/program/stop_request.hpp"
-#include "tools/tradeoff/run_timing.hpp"
-#include "tools/tradeoff/tradeoff_report.hpp"
 
 namespace parison::tools {
 namespace {

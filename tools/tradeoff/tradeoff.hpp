@@ -3,7 +3,26 @@
 #include <string>
 #include <vector>
 
+#include "forming/scene/describe/model_sensitivity.hpp"
+#include "forming/study/convergence_study.hpp"
+
 namespace parison::tools {
+
+/// CPU times of the further runs of a variant, s, kept next to its folder. Throws core::CaseError where a line is no
+/// time.
+std::vector<double> read_timings(const std::string& folder);
+
+/// Adds the CPU time of a further run, s.
+void add_timing(const std::string& folder, double cpu);
+
+/// Takes them away, as a variant that runs anew has none.
+void forget_timings(const std::string& folder);
+
+/// Reads the results of a study's variants and writes tradeoff.csv, tradeoff.json, tradeoff.md and, where Python can,
+/// the plot into the folder; prints the table, with the estimates of what no run can measure. False when the reference
+/// or the base has not completed.
+bool report_tradeoff(const std::string& folder, const std::vector<forming::Variant>& variants, const std::string& base,
+                     const std::vector<forming::PartSensitivity>& estimates);
 
 /// What `parison tradeoff` is asked for.
 struct TradeoffRequest {

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "core/case/case_file.hpp"
-#include "core/case/text/case_depth.hpp"
+#include "core/case/text/case_text.hpp"
 #include "core/io/input_file.hpp"
 
 namespace parison::core {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/report/container/figures.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/container/hollow.hpp"

@@ -1,5 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -9,6 +13,12 @@
 #include "forming/state/state.hpp"
 
 namespace parison::forming {
+
+/// A number with so many decimals, and with more where they would leave a small one fewer than four figures.
+inline std::string figures(double value, int decimals) {
+  const int whole = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
+  return fmt::format("{:.{}f}", value, std::max(decimals, 4 - whole));
+}
 
 /// Height of a container and its largest outer diameter, m.
 struct OuterSize {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "forming/report/cavity_report.hpp"
-#include "forming/report/process/glass_shape.hpp"
+#include "forming/report/process/mould_filling.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "forming/step/step_result.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/wall/rim_middle.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include "core/mesh/element.hpp"
 #include "forming/report/wall/surface_chain.hpp"
+#include "forming/report/wall/wall_marks.hpp"
 
 namespace parison::forming {
 namespace {

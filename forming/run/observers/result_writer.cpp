@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "forming/report/files/tool_rows.hpp"
+#include "forming/report/files/interface_rows.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 
 namespace parison::forming {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "forming/scene/container/closed_region.hpp"
+#include "forming/scene/container/crossings.hpp"
 #include "forming/scene/container/free_space.hpp"
 #include "forming/scene/container/hollow.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"

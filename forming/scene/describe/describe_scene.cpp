@@ -8,7 +8,6 @@
 #include "forming/scene/describe/describe_timing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/model_sensitivity.hpp"
-#include "forming/scene/describe/named_points.hpp"
 #include "forming/scene/describe/support.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/preset_scales.hpp"

@@ -9,7 +9,6 @@
 
 #include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
-#include "forming/scene/describe/half_spaces.hpp"
 
 namespace parison::forming {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/mesh/tolerances.hpp"
-#include "forming/scene/container/free_shifts.hpp"
+#include "forming/scene/container/free_space.hpp"
 
 namespace parison::forming {
 namespace {

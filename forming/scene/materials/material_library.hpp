@@ -10,6 +10,10 @@
 
 namespace parison::forming {
 
+/// Bands made one that ends where the last of them does; it absorbs, 1/m, what they do in the mean over their emission
+/// at a temperature, K.
+thermal::Band merged_bands(const std::vector<thermal::Band>& bands, double temperature);
+
 /// A value of a material that has no source.
 struct AssumedValue {
   std::string key;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/scene/container/free_shifts.hpp"
+#include "forming/scene/container/free_space.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/read/gob_shape.hpp"
 #include "forming/scene/read/scene_reading.hpp"

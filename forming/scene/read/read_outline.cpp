@@ -6,7 +6,7 @@
 
 #include "core/case/given_file.hpp"
 #include "forming/scene/read/curves/csv_points.hpp"
-#include "forming/scene/read/curves/mirror.hpp"
+#include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/path_text.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/scene_reading.hpp"

@@ -12,8 +12,8 @@
 #include "core/case/case_file.hpp"
 #include "forming/report/model_bars.hpp"
 #include "forming/report/quantity_labels.hpp"
+#include "forming/study/comparison/remarks.hpp"
 #include "forming/study/comparison/same_case.hpp"
-#include "forming/study/comparison/wrapped_text.hpp"
 
 namespace parison::forming {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/comparison/difference.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "forming/report/error_bars.hpp"
 #include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/comparison.hpp"
 
 namespace parison::forming {
 namespace {

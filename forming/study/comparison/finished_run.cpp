@@ -11,7 +11,7 @@
 #include "core/io/json_read.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/coarse_run.hpp"
-#include "forming/study/comparison/cycle_result.hpp"
+#include "forming/study/comparison/study_folder.hpp"
 
 namespace parison::forming {
 namespace {

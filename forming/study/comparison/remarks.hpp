@@ -1,11 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "core/io/json_read.hpp"
 
 namespace parison::forming {
+
+/// A text whose first line begins at column `indent` of the terminal, broken between words before column `width`; the
+/// lines after the first are indented as far. Without a line feed at the end.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width = 120);
 
 /// What a run says of itself beside its numbers: a flag of the process, a warning, or a check beyond its limit.
 struct Remark {

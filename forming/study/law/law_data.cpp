@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/law/law_data.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "core/case/case_file.hpp"
 #include "core/case/given_file.hpp"
 #include "core/io/input_file.hpp"
+#include "forming/study/law/law_fit.hpp"
 
 namespace parison::contact {
 namespace {

@@ -14,11 +14,10 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/state/initial_state.hpp"
-#include "forming/study/production/fixed_point.hpp"
+#include "forming/study/production/cycle_files.hpp"
 #include "forming/study/production/heat_cycles.hpp"
+#include "forming/study/production/machine_cycle.hpp"
 #include "forming/study/production/settled_estimates.hpp"
-#include "forming/study/production/swabbing.hpp"
-#include "forming/study/production/temperature_table_text.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
 namespace parison::forming {

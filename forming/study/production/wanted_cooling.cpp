@@ -14,7 +14,6 @@
 #include "forming/state/tool_surface.hpp"
 #include "forming/step/heat/surroundings.hpp"
 #include "forming/study/production/machine_cycle.hpp"
-#include "forming/study/production/surface_range.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
 namespace parison::forming {

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,5 +68,28 @@ double good_norm(const Goal& goal);
 
 /// What the value is, in words: "rms deviation of the wall from its mean, %".
 std::string what_is_sought(const Goal& goal);
+
+/// What a finer accuracy adds to the results of a coarser one, from a place of the variables that was run at both.
+/// Added to the runs at other places it makes of the coarser model one that agrees with the finer at that place (N. M.
+/// Alexandrov, R. M. Lewis, C. R. Gumbert, L. L. Green and P. A. Newman, J. Aircraft 38 (2001) 1093-1101; J. W. Bandler
+/// et al., IEEE Trans. Microwave Theory Tech. 52 (2004) 337-361).
+struct Correction {
+  Wall wall;                         ///< differences place by place over the outer arc; empty where one has no wall
+  std::vector<Quantity> quantities;  ///< differences of those that both have
+};
+
+Correction correction_from(const Outcome& coarse, const Outcome& fine);
+
+/// A run with the difference added; `wall_rms` and `wall_min` are those of the corrected wall. What the correction does
+/// not have is left out, and a run without results stays as it is.
+Outcome corrected(const Outcome& run, const Correction& correction, const WallPart& part);
+
+/// Whether the finer accuracy misses `good_enough` or a limit which the coarser one held or came nearer to.
+bool is_misled(const Goal& goal, const Worth& coarse, const Worth& fine);
+
+/// Reads a goal file; `find_case` says where the case is that it names, from its folder. Throws core::CaseError with
+/// file, line and key where it is wrong, where it names what the case does not have, or where no run can reach it.
+Goal read_goal(const std::string& path,
+               const std::function<std::string(const std::string& directory, const std::string& given)>& find_case);
 
 }  // namespace parison::forming

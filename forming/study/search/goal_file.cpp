@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/search/goal_file.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "core/case/units.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/study/search/goal.hpp"
 #include "forming/study/setting_error.hpp"
 
 namespace parison::forming {

@@ -10,7 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "forming/study/coarse_run.hpp"
-#include "forming/study/search/case/case_drawing.hpp"
+#include "forming/study/search/case/search_case.hpp"
 
 namespace parison::forming {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/sweep/sweep_file.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,8 @@
 #include "core/case/case_file.hpp"
 #include "core/case/given_file.hpp"
 #include "forming/scene/accuracy.hpp"
-#include "forming/study/sweep/bounds.hpp"
 #include "forming/study/sweep/design.hpp"
+#include "forming/study/sweep/sweep_plan.hpp"
 
 namespace parison::forming {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/mesh/profile.hpp"
-#include "remesh/surface/repair/loops.hpp"
 
 namespace parison::remesh {
 

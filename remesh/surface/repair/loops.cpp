@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "remesh/surface/repair/loops.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
 #include "core/mesh/element.hpp"
+#include "remesh/surface/repair/lap.hpp"
 
 namespace parison::remesh {
 

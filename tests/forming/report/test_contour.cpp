@@ -7,9 +7,8 @@
 #include "../scene_text.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/contour/contour.hpp"
-#include "forming/report/contour/section_slice.hpp"
-#include "forming/report/files/body_fields.hpp"
 #include "forming/report/files/history.hpp"
+#include "forming/report/files/result_files.hpp"
 #include "forming/state/initial_state.hpp"
 
 namespace parison::forming {

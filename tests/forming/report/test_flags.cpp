@@ -7,7 +7,6 @@
 #include "../scene_text.hpp"
 #include "forming/diagnostics/extremes.hpp"
 #include "forming/report/process/flags.hpp"
-#include "forming/report/process/glass_shape.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/tool_surface.hpp"

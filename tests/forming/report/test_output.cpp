@@ -12,7 +12,6 @@
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
 #include "forming/report/files/result_files.hpp"
-#include "forming/report/files/tool_rows.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/thermal_interface.hpp"

@@ -12,7 +12,7 @@
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
-#include "forming/scene/materials/merged_bands.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/study/audit.hpp"
 
 namespace parison::forming {

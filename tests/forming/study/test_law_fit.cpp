@@ -8,7 +8,6 @@
 
 #include "core/case/case_error.hpp"
 #include "figure.hpp"
-#include "forming/study/law/law_data.hpp"
 #include "forming/study/law/law_fit.hpp"
 
 namespace parison::contact {

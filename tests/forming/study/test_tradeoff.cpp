@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../bundled_scene.hpp"
-#include "forming/study/tradeoff.hpp"
+#include "forming/study/convergence_study.hpp"
 
 namespace parison::forming {
 namespace {

@@ -20,11 +20,9 @@
 #include "forming/scene/scene.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "tools/commands/command_options.hpp"
-#include "tools/commands/run/coarse_run.hpp"
 #include "tools/commands/run/console.hpp"
 #include "tools/commands/run/controlled_run.hpp"
-#include "tools/pictures/section_picture.hpp"
-#include "tools/pictures/timing_picture.hpp"
+#include "tools/pictures/pictures.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 

@@ -15,8 +15,6 @@
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/production/cycle_files.hpp"
-#include "tools/commands/study/cycle_steps.hpp"
-#include "tools/commands/study/cycle_variants.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 

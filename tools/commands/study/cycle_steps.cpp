@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/study/cycle_steps.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -8,6 +6,7 @@
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/production/cycle_files.hpp"
+#include "tools/commands/study/cycle.hpp"
 #include "tools/comparison/run_queue.hpp"
 #include "tools/program/stop_request.hpp"
 

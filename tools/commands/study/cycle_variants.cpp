@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/study/cycle_variants.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +12,8 @@
 #include "core/io/written_files.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/production/cycle_files.hpp"
-#include "forming/study/production/lost_changes.hpp"
-#include "tools/commands/study/cycle_steps.hpp"
+#include "forming/study/production/cycle_run.hpp"
+#include "tools/commands/study/cycle.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/stop_request.hpp"
 

@@ -5,24 +5,85 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "core/io/files.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/scene/container/container_plan.hpp"
+#include "forming/study/comparison/comparison.hpp"
 #include "forming/study/comparison/same_case.hpp"
-#include "tools/report/data/differences.hpp"
-#include "tools/report/data/packed_table.hpp"
+#include "forming/study/comparison/study_folder.hpp"
 #include "tools/report/data/production.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/report/data/run_names.hpp"
 #include "tools/report/data/wall_bars.hpp"
 
 namespace parison::tools {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// A text of several indented lines as one line.
+std::string in_one_line(const std::string& text) {
+  std::istringstream words(text);
+  std::string line, word;
+  while (words >> word) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+Json rows_of(const forming::RunComparison& result) {
+  Json rows = Json::array();
+  for (const forming::Difference& difference : result.quantities) {
+    const forming::ShownDifference row = forming::shown(difference);
+    rows.push_back({{"quantity", row.label},
+                    {"base", row.base},
+                    {"other", row.other},
+                    {"difference", row.difference},
+                    {"bar", row.bar},
+                    {"model", row.model},
+                    {"unit", row.unit},
+                    {"verdict", row.verdict}});
+  }
+  return rows;
+}
+
+/// A folder that is damaged, still written or of another case costs its table and not the page.
+Json against(const std::string& base, const std::string& folder) {
+  try {
+    const forming::Comparison comparison = forming::compare_folders(base, {folder});
+    const forming::ComparedRun& other = comparison.others.front();
+    if (!other.result) return {{"reason", "no results: " + other.reason}};
+    return {{"settings", forming::settings_line(other.settings)},
+            {"rows", rows_of(*other.result)},
+            {"bars", in_one_line(forming::bars_line(*other.result, comparison.base, other.run) +
+                                 forming::models_line(*other.result, comparison.base, other.run))}};
+  } catch (const std::exception& error) {
+    return {{"reason", error.what()}};
+  }
+}
+
+/// What `parison compare` says of runs beside the first of them, and of variants that did not settle: by the name of
+/// each its rows, or the reason why it cannot be compared. Null for one run alone.
+Json differences_of(const std::vector<std::string>& folders, const std::vector<std::string>& names,
+                    const std::vector<forming::FailedVariant>& failed) {
+  if (folders.size() + failed.size() < 2) return {};
+  Json others = Json::array();
+  for (std::size_t i = 1; i < folders.size(); ++i) {
+    Json other = against(folders.front(), folders[i]);
+    other["run"] = names[i];
+    others.push_back(std::move(other));
+  }
+  for (const forming::FailedVariant& one : failed)
+    others.push_back({{"run", one.name}, {"reason", "no results: " + one.reason}});
+  return {{"base", names.front()}, {"others", std::move(others)}};
+}
 
 /// Bytes of all films of a page before compression; with the rest a page stays below 5 MB.
 constexpr std::size_t film_budget = 4'500'000;

@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -7,6 +9,22 @@
 #include "core/mesh/profile.hpp"
 
 namespace parison::forming {
+
+/// The mirror image about the line through two points of a path of points (which have only an end), lines and arcs,
+/// drawn from its end to its start: it goes on where a path ends on the line.
+std::vector<core::Segment> mirrored(const std::vector<core::Segment>& path, const core::Point& first,
+                                    const core::Point& second);
+
+/// A plane rational B-spline.
+struct Spline {
+  std::size_t degree;
+  std::vector<double> knots;            ///< rising, as many as points and degree and 1 together
+  std::vector<Eigen::Vector3d> points;  ///< x w, y w (m) and the weight w
+};
+
+/// Lines and arcs within `tolerance`, m, of a spline: its knots are ends of theirs, so that its corners stay corners.
+/// A spline of degree 1 comes as its lines.
+std::vector<core::Segment> arcs_of_spline(const Spline& spline, double tolerance);
 
 /// A place on a plane curve and the derivative with respect to its parameter.
 struct CurvePoint {

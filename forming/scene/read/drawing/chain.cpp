@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/scene/read/drawing/chain.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "forming/scene/read/curves/curve_arcs.hpp"
-#include "forming/scene/read/drawing/chain.hpp"
 #include "forming/scene/read/drawing/placement.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/study/comparison/what_if/resolution.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "core/case/units.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::forming {
 namespace {

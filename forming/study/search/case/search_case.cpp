@@ -4,11 +4,97 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "core/case/text/case_text.hpp"
+#include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
+#include "forming/report/files/case_copy.hpp"
+#include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
 
 namespace parison::forming {
+
+namespace {
+
+/// A group of a DXF file: its code and its value.
+std::string group(int code, const std::string& value) {
+  return fmt::format("{:3}\n{}\n", code, value);
+}
+
+std::string number(int code, double value) {
+  return group(code, fmt::format("{:.12g}", value));
+}
+
+std::string point(int code, const core::Point& at) {
+  return number(code, 1e3 * at[0]) + number(code + 10, 1e3 * at[1]) + number(code + 20, 0);
+}
+
+/// Arcs of a drawing go counterclockwise.
+std::string entity(const core::Segment& segment, const std::string& layer) {
+  if (!segment.is_arc) return group(0, "LINE") + group(8, layer) + point(10, segment.start) + point(11, segment.end);
+  constexpr double degree = 3.14159265358979323846 / 180;
+  const double from = std::min(segment.from, segment.to), to = std::max(segment.from, segment.to);
+  return group(0, "ARC") + group(8, layer) + point(10, segment.centre) + number(40, 1e3 * segment.radius) +
+         number(50, from / degree) + number(51, to / degree);
+}
+
+bool same_outline(const core::Profile& a, const core::Profile& b) {
+  if (a.segments.size() != b.segments.size()) return false;
+  for (std::size_t i = 0; i < a.segments.size(); ++i) {
+    const core::Segment &one = a.segments[i], &other = b.segments[i];
+    if (one.is_arc != other.is_arc || one.start != other.start || one.end != other.end ||
+        (one.is_arc && one.centre != other.centre))
+      return false;
+  }
+  return true;
+}
+
+std::vector<std::string> write_drawings(const Scene& base, const Scene& found, const std::string& output) {
+  std::vector<std::string> written;
+  for (std::size_t i = 0; i < found.tools.size(); ++i) {
+    const Tool& tool = found.tools[i];
+    if (i < base.tools.size() && same_outline(tool.profile, base.tools[i].profile)) continue;
+    written.push_back(tool.name + ".dxf");
+    core::replace_file(output + '/' + written.back(), dxf_text(tool.profile, tool.name));
+  }
+  return written;
+}
+
+}  // namespace
+
+std::string dxf_text(const core::Profile& outline, const std::string& layer) {
+  std::string text = group(0, "SECTION") + group(2, "HEADER") + group(9, "$ACADVER") + group(1, "AC1009") +
+                     group(9, "$INSUNITS") + group(70, "4") + group(0, "ENDSEC") + group(0, "SECTION") +
+                     group(2, "ENTITIES");
+  for (const core::Segment& segment : outline.segments) text += entity(segment, layer);
+  return text + group(0, "ENDSEC") + group(0, "EOF");
+}
+
+std::vector<std::string> write_case(const SearchCase& search, const Eigen::VectorXd& at, const std::string& output) {
+  std::vector<std::string> overrides = search.overrides;
+  for (std::string& setting : settings_at(search.variables, at)) overrides.push_back(std::move(setting));
+  const bool changes_material = std::any_of(overrides.begin(), overrides.end(), [](const std::string& assignment) {
+    return assignment.rfind("material.", 0) == 0;
+  });
+  core::CaseFile file =
+      changes_material ? read_case(search.case_path, overrides) : core::read_case_file(search.case_path);
+  if (!changes_material)
+    for (const std::string& assignment : overrides) core::override_value(file, assignment);
+  const Scene found = read_scene(search.case_path, search.accuracy, overrides);
+  core::remove_own(case_copy_folder(output));
+  copy_case(found, output);
+  core::remove_own(case_copy_folder(output) + "/command.txt");
+  const std::string path = case_copy_folder(output) + "/case.toml";
+  core::replace_file(path, fmt::format("# {} with what a search of {} found.\n", found.name,
+                                       std::filesystem::path(search.file).filename().string()) +
+                               core::case_text(file.root));
+  read_scene(path, search.accuracy);
+  std::vector<std::string> written = write_drawings(read_scene(search.case_path, search.accuracy), found, output);
+  written.insert(written.begin(), "case");
+  return written;
+}
 
 std::vector<std::string> settings_at(const std::vector<SearchVariable>& variables, const Eigen::VectorXd& at) {
   std::vector<std::string> settings;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/profile.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/study/search/case/search_variable.hpp"
 #include "forming/study/sweep/sweep_plan.hpp"
@@ -31,5 +32,12 @@ void check_corners(const SearchCase& search);
 
 /// The runs of some places, which are asked for together.
 SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>& places, const std::string& output);
+
+/// The outline as a DXF file (R12) in mm, r to the right and z up, its lines and arcs on a layer.
+std::string dxf_text(const core::Profile& outline, const std::string& layer);
+
+/// Writes the case with the values of a place into the folder `case` of `output`, complete with the files that it
+/// names, and a drawing TOOL.dxf of each tool whose outline is not that of the case without them. Returns the names.
+std::vector<std::string> write_case(const SearchCase& search, const Eigen::VectorXd& at, const std::string& output);
 
 }  // namespace parison::forming

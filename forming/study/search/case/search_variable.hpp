@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/case/case_file.hpp"
-#include "forming/study/sweep/bounds.hpp"
+#include "forming/study/sweep/design.hpp"
 
 namespace parison::forming {
 

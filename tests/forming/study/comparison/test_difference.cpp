@@ -10,7 +10,7 @@
 #include "forming/report/error_bars.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/comparison.hpp"
-#include "forming/study/comparison/what_if/resolution.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 
 namespace parison::forming {
 namespace {

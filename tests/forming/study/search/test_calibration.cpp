@@ -10,7 +10,6 @@
 #include "forming/report/files/history.hpp"
 #include "forming/run/run.hpp"
 #include "forming/study/search/calibration/calibration.hpp"
-#include "forming/study/search/calibration/intervals.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 
 namespace parison::forming {

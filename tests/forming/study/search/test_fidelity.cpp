@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "forming/study/search/fidelity.hpp"
+#include "forming/study/search/goal.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "forming/study/search/minimum/scalar_search.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/case/case_error.hpp"
-#include "forming/study/uncertainty/standard_scatter.hpp"
-#include "forming/study/uncertainty/tolerance_range.hpp"
+#include "forming/study/uncertainty/effects.hpp"
+#include "forming/study/uncertainty/uncertainty_plan.hpp"
 
 namespace parison::forming {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/scene/read/drawing/dxf/curved_entities.hpp"
-
 #include <fmt/core.h>
 
 #include <Eigen/Core>
@@ -10,7 +8,7 @@
 #include <utility>
 
 #include "forming/scene/read/curves/curve_arcs.hpp"
-#include "forming/scene/read/curves/spline.hpp"
+#include "forming/scene/read/drawing/dxf/dxf_curves.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
 namespace parison::forming {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forming/scene/read/drawing/dxf/curved_entities.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
 

@@ -1,13 +1,45 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names in a DXF file, its layers and what of them is seen; private to the reading of drawings.
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "forming/scene/read/drawing/dxf/dxf_file.hpp"
+#include "forming/scene/read/drawing/placement.hpp"
+
+// Names in a DXF file, its layers and what of them is seen; private to the reading of drawings.
 
 namespace parison::forming {
+
+/// Entities that a drawing inserts as one, in their own frame.
+struct DxfBlock {
+  core::Point base;  ///< the point that comes to the place of the insertion, drawing units
+  std::vector<DxfEntity> entities;
+};
+
+/// Gathers the blocks of a file from the entities of its section BLOCKS.
+class DxfBlocks {
+ public:
+  DxfBlocks(const DxfFile& file, const DxfHeader& header) : file_(file), header_(header) {}
+  void take(const DxfEntity& entity);
+  /// The block that an INSERT names; refuses one that the file does not have.
+  const DxfBlock& inserted(const DxfEntity& insert) const;
+
+ private:
+  /// The name of a block in small letters.
+  std::string name_of(const DxfEntity& entity) const;
+
+  const DxfFile& file_;
+  const DxfHeader& header_;
+  std::map<std::string, DxfBlock, std::less<>> blocks_;
+  DxfBlock* open_ = nullptr;
+  std::size_t groups_ = 0;
+};
+
+/// Where an INSERT puts its block, seen from behind where it says so; refuses arrays and scales that would bend
+/// circles.
+Placement placement_of(const DxfFile& file, const DxfEntity& insert, const DxfBlock& block, double unit);
 
 /// A name of a DXF file in UTF-8: of files before 2007 by their code page (1252 where they name none that is known),
 /// and with the signs that stand as \U+00DC.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/case/given_file.hpp"
-#include "forming/scene/read/drawing/dxf/dxf_blocks.hpp"
 #include "forming/scene/read/drawing/dxf/dxf_curves.hpp"
 #include "forming/scene/read/drawing/dxf/dxf_file.hpp"
 #include "forming/scene/read/drawing/dxf/dxf_layers.hpp"

@@ -12,7 +12,6 @@
 #include "core/process/child_work.hpp"
 #include "core/process/gmsh_module.hpp"
 #include "forming/scene/read/curves/curve_arcs.hpp"
-#include "forming/scene/read/curves/spline.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/drawing/step/step_curves.hpp"
 #include "forming/scene/read/tolerances.hpp"
