@@ -9,8 +9,6 @@
 namespace parison::core {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 struct NamedUnit {
   std::string_view symbol;
   Unit unit;
@@ -34,7 +32,7 @@ constexpr NamedUnit named_units[] = {
     {"P", {0.1, dimension::viscosity}, true},
     {"l", {1e-3, dimension::volume}, true},
     {"rad", {1, dimension::none}, true},
-    {"deg", {pi / 180, dimension::none}, false},
+    {"deg", {M_PI / 180, dimension::none}, false},
     {"%", {1e-2, dimension::none}, false},
     {"1", {1, dimension::none}, false},
 };

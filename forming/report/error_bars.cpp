@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "core/math/numbers.hpp"
+
 namespace parison::forming {
 namespace {
 
@@ -16,8 +18,6 @@ constexpr double of_usual = 0.7;
 /// No bar is narrower: share of size_of_kind.
 constexpr double resolution = 1e-4;
 constexpr double spacing = 1.0 / (profile_points - 1);
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 bool is_heat(const Quantity& quantity) {
   return quantity.name.rfind("heat_", 0) == 0;
 }
@@ -68,7 +68,7 @@ void widen_place_of_min(Quantities& run) {
 
 /// The largest of the estimates by the coarser runs, wider where only one is finite; NaN where none is.
 double largest(const std::vector<double>& estimates) {
-  double bar = none;
+  double bar = core::none;
   for (const double estimate : estimates) bar = std::fmax(bar, estimate);
   const auto finite = std::count_if(estimates.begin(), estimates.end(), [](double e) { return std::isfinite(e); });
   return finite == 1 ? single_run_factor * bar : bar;
@@ -81,7 +81,7 @@ double bar_by(const Quantities& run, const std::vector<CoarserRun>& coarser, con
   for (const CoarserRun& one : coarser)
     estimates.push_back(richardson_estimate(difference(one.quantities, run), 1, one.factor));
   const double bar = largest(estimates);
-  return std::isfinite(bar) ? std::max(bar, resolution) : none;
+  return std::isfinite(bar) ? std::max(bar, resolution) : core::none;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/io/json_read.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/scene/law_names.hpp"
 #include "forming/scene/radiation_choice.hpp"
@@ -21,11 +22,9 @@ extern const char* const calibration_text;
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// The largest of the known ones; NaN where none is.
 double largest_of(const core::JsonValue& scenes, const std::string& model, const char* key) {
-  double largest = none;
+  double largest = core::none;
   for (const core::JsonValue& scene : scenes.items)
     if (const core::JsonValue* models = scene.find("models"))
       if (const core::JsonValue* found = models->find(model)) largest = std::fmax(largest, found->number_of(key));
@@ -38,7 +37,7 @@ double moved(const Quantities& run, const Quantity& quantity, const ModelDiffere
   if (quantity.name == "thickness_min") return by.thinnest * quantity.value;
   if (quantity.name.rfind("glass_", 0) == 0) return by.temperature;
   if (quantity.name.rfind("heat_", 0) == 0) return by.heat * size_of_kind(run, quantity);
-  return none;
+  return core::none;
 }
 
 /// With two digits, or all before the point.
@@ -74,7 +73,7 @@ ModelDifference model_difference(const std::string& calibration, const std::stri
   const core::JsonValue root = core::read_json(calibration, "calibration.json");
   const core::JsonValue* measured = root.find(part);
   const core::JsonValue* scenes = measured ? measured->find("scenes") : nullptr;
-  if (!scenes) return {none, none, none, none};
+  if (!scenes) return {core::none, core::none, core::none, core::none};
   const auto largest = [&](const char* key) { return largest_of(*scenes, model, key); };
   return {largest("thickness"), largest("thinnest"), largest("heat"), largest("skin_K")};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/case/case_file.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/report/model_bars.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
@@ -16,7 +17,6 @@
 namespace parison::forming {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* heat_prefix = "heat_";
 constexpr const char* time_prefix = "time_";
 constexpr const char* force_prefix = "peak_force_";
@@ -33,7 +33,7 @@ bool has_wall(const Scene& scene, const std::vector<ThicknessRow>& rows) {
 /// Thickness, mm, at even shares of the arc, linear between the rows; NaN beside one that is no wall.
 std::vector<double> sample_profile(const ThicknessProfile& wall) {
   const std::vector<ThicknessRow>& rows = wall.rows;
-  std::vector<double> profile(profile_points, none);
+  std::vector<double> profile(profile_points, core::none);
   std::size_t after = 1;
   for (int i = 0; i < profile_points; ++i) {
     const double arc = wall.first_arc + (wall.last_arc - wall.first_arc) * i / (profile_points - 1);
@@ -70,7 +70,7 @@ void add_wall(const ThicknessProfile& wall, Quantities& found) {
   const double at = (range.lowest_arc - wall.first_arc) / (wall.last_arc - wall.first_arc);
   found.values.push_back({"thickness_mean", "mm", mean, mean});
   found.values.push_back({"thickness_min", "mm", lowest, lowest});
-  found.values.push_back({"thickness_min_at", "of the arc", at, 1, none, range.lowest_at});
+  found.values.push_back({"thickness_min_at", "of the arc", at, 1, core::none, range.lowest_at});
 }
 
 /// Of the outer surface, by area; the wall's where there is one.
@@ -135,9 +135,8 @@ void add_tools(const Scene& scene, const Summary& summary, Quantities& found) {
 /// The larger of width and height that the glass has at least, whatever its shape, mm: that of a full cylinder as wide
 /// as high. NaN where the scene has no axis.
 double least_extent(const Scene& scene) {
-  if (scene.geometry != core::Geometry::axisymmetric) return none;
-  constexpr double pi = 3.14159265358979323846;
-  return 1e3 * std::cbrt(dimensionless_numbers(scene).volume / pi);
+  if (scene.geometry != core::Geometry::axisymmetric) return core::none;
+  return 1e3 * std::cbrt(dimensionless_numbers(scene).volume / M_PI);
 }
 
 /// No wall that a mesh can have is thinner: share of the least extent of the glass.
@@ -175,15 +174,15 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
 
 std::vector<Quantity> possible_quantities(const Scene& scene) {
   std::vector<Quantity> possible;
-  const auto add = [&](const std::string& name, const char* unit, double scale = none) {
-    possible.push_back({name, unit, none, scale});
+  const auto add = [&](const std::string& name, const char* unit, double scale = core::none) {
+    possible.push_back({name, unit, core::none, scale});
   };
   if (scene.has_flow()) {
     for (const char* wall : {"thickness_mean", "thickness_min"}) add(wall, "mm", thinnest_wall * least_extent(scene));
     add("thickness_min_at", "of the arc", 1);
     for (const char* extent : {"extent_r_max", "extent_z_min", "extent_z_max"}) add(extent, "mm", least_extent(scene));
   }
-  const double span = scene.has_heat() ? temperature_range(scene).span() : none;
+  const double span = scene.has_heat() ? temperature_range(scene).span() : core::none;
   if (scene.has_heat()) add("glass_mean", "degC", span), add("glass_skin", "degC", span);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     if (scene.has_heat()) add(heat_prefix + scene.tools[i].name, "J");
@@ -261,11 +260,11 @@ Quantities read_quantities(const core::JsonValue& summary) {
 }
 
 ProfileDifference compare_profiles(const std::vector<double>& profile, const std::vector<double>& reference) {
-  if (profile.empty() || profile.size() != reference.size()) return {none, none, none};
+  if (profile.empty() || profile.size() != reference.size()) return {core::none, core::none, core::none};
   std::vector<double> fraction(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i) fraction[i] = std::abs(profile[i] - reference[i]) / reference[i];
   const std::vector<int> places = inner_places(fraction);
-  if (places.empty()) return {none, none, none};
+  if (places.empty()) return {core::none, core::none, core::none};
   double sum = 0;
   int max_index = places.front();
   for (const int i : places) {
@@ -285,7 +284,7 @@ double heat_difference(const Quantities& run, const Quantities& reference) {
       whole += quantity.scale;
       matters = matters || std::abs(quantity.value) >= quantity.scale;
     }
-  return matters ? difference / whole : none;
+  return matters ? difference / whole : core::none;
 }
 
 }  // namespace parison::forming

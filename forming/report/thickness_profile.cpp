@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/io/files.hpp"
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/wall/surface_chain.hpp"
 #include "forming/report/wall/wall_marks.hpp"
@@ -17,8 +18,6 @@
 namespace parison::forming {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double arc_length(const core::Mesh& mesh, const core::BoundaryEdge& edge) {
   double length = 0;
@@ -59,8 +58,6 @@ std::vector<ChainEdge> walk_surface(const core::Mesh& mesh, const std::vector<bo
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// What glass needs to be a wall: surface with another side opposite over all of it.
 constexpr double least_share = 0.25;
 
@@ -74,7 +71,8 @@ std::vector<ThicknessRow> make_rows(const core::Mesh& mesh, core::Geometry geome
     if (row_of[node] < 0) {
       row_of[node] = static_cast<Index>(rows.size());
       nodes.push_back(node);
-      rows.push_back({arc, mesh.nodes[node], none, none, none, 0, WallMark::none, Point::Constant(none)});
+      rows.push_back(
+          {arc, mesh.nodes[node], core::none, core::none, core::none, 0, WallMark::none, Point::Constant(core::none)});
     }
     return rows[row_of[node]];
   };
@@ -105,11 +103,11 @@ double middle_of_rim(const core::Mesh& mesh, const std::vector<Index>& nodes, co
   const Index end = step > 0 ? count - 1 : 0;
   Index last = end;
   while (last >= 0 && last < count && !rows[last].is_wall()) last -= step;
-  if (last == end || last < 0 || last >= count) return none;
+  if (last == end || last < 0 || last >= count) return core::none;
   const auto is_wall = [&](Index row) { return row >= 0 && row < count && rows[row].is_wall(); };
   Index row = last - step;  // as far from the rim as the wall is thick, where the wall is so long
   while (is_wall(row - step) && std::abs(rows[last].arc - rows[row].arc) < rows[row].thickness) row -= step;
-  if (!is_wall(row) || !is_wall(row - step)) return none;
+  if (!is_wall(row) || !is_wall(row - step)) return core::none;
   const Point direction = step * direction_at(rows, static_cast<std::size_t>(row));
   const auto& edges = mesh.boundary_edges();
   for (Index edge = 0; edge < static_cast<Index>(edges.size()); ++edge) {
@@ -119,7 +117,7 @@ double middle_of_rim(const core::Mesh& mesh, const std::vector<Index>& nodes, co
     return rim_middle(
         mesh, {edge, rows[begins ? row : row - step].arc, step > 0, direction.normalized(), 0.5 * rows[row].thickness});
   }
-  return none;
+  return core::none;
 }
 
 double area_of(const core::Mesh& mesh, core::Geometry geometry, const std::vector<bool>& edges) {
@@ -197,7 +195,7 @@ ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry
   for (std::size_t edge = 0; edge < wanted.size(); ++edge)
     if (wanted[edge]) profile.outer_edges.push_back(static_cast<Index>(edge));
   const auto end_of = [&](int step, double arc) {
-    const double middle = profile.no_wall.empty() ? middle_of_rim(mesh, nodes, profile.rows, step) : none;
+    const double middle = profile.no_wall.empty() ? middle_of_rim(mesh, nodes, profile.rows, step) : core::none;
     return std::isnan(middle) ? arc : middle;
   };
   profile.first_arc = profile.rows.empty() ? 0 : end_of(-1, profile.rows.front().arc);
@@ -220,7 +218,8 @@ ThicknessProfile thickness_profile(const Scene& scene, const State& state) {
 }
 
 ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
-  ThicknessRange range{infinity, none, -infinity, Point::Constant(none), Point::Constant(none)};
+  ThicknessRange range{core::infinity, core::none, -core::infinity, Point::Constant(core::none),
+                       Point::Constant(core::none)};
   double sum = 0, area = 0;
   for (const ThicknessRow& row : rows) {
     if (!row.is_wall()) continue;
@@ -230,13 +229,13 @@ ThicknessRange thickness_range(const std::vector<ThicknessRow>& rows) {
     sum += row.area * row.thickness;
     area += row.area;
   }
-  if (area <= 0) return {none, none, none, range.lowest_at, range.highest_at};
+  if (area <= 0) return {core::none, core::none, core::none, range.lowest_at, range.highest_at};
   range.mean = sum / area;
   return range;
 }
 
 ThicknessRange thickness_beside_finish(const Scene& scene, const State& state, const ThicknessProfile& profile) {
-  double low = infinity, high = -infinity;
+  double low = core::infinity, high = -core::infinity;
   for (std::size_t i = 0; i < profile.rows.size(); ++i) {
     const Index tool = state.glass.contact_tool[profile.nodes[i]];
     if (tool < 0 || scene.tools[tool].friction.law != flow::Friction::Law::grip) continue;

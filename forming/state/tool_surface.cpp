@@ -5,12 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 
 namespace parison::forming {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Integral of each node's shape function over the volume, m3.
 Eigen::VectorXd nodal_volumes(const core::Mesh& mesh, core::Geometry geometry) {
@@ -33,7 +32,7 @@ double share_above(double first, double last, double limit) {
 }  // namespace
 
 HottestPoint hottest_surface_point(const ToolState& tool) {
-  HottestPoint hottest{none, Point::Constant(none)};
+  HottestPoint hottest{core::none, Point::Constant(core::none)};
   if (tool.temperature.size() == 0) return hottest;
   for (const core::BoundaryEdge& edge : tool.mesh.boundary_edges()) {
     if (tool.mesh.kind_of(edge) != core::BoundaryKind::contact) continue;
@@ -60,7 +59,7 @@ ToolSurface::ToolSurface(const core::Mesh& mesh, core::Geometry geometry)
 }
 
 ToolTemperatures ToolSurface::temperatures(const ToolState& tool, double limit) const {
-  ToolTemperatures found{none, none, none, Point::Constant(none), 0};
+  ToolTemperatures found{core::none, core::none, core::none, Point::Constant(core::none), 0};
   if (tool.temperature.size() == 0) return found;
   found.mean = volume_.dot(tool.temperature) / volume_.sum();
   if (halves_.empty()) return found;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "core/process/clock.hpp"
 #include "forming/report/summary.hpp"
@@ -18,8 +19,6 @@ namespace parison::forming {
 namespace {
 
 constexpr const char* noise_group = "noise";
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// The surface of the glass, without symmetry planes, as polylines with the nodes as corners.
 std::vector<std::vector<Point>> surface_of(const core::Mesh& mesh) {
   std::vector<std::vector<Point>> lines;
@@ -62,7 +61,7 @@ double mean_distance(const std::vector<std::vector<Point>>& from, const std::vec
       sum += part * distance_to(to, 0.5 * (line[i] + line[i - 1]));
       length += part;
     }
-  return length > 0 ? sum / length : none;
+  return length > 0 ? sum / length : core::none;
 }
 
 /// Finds the quantity of interest that changes most, but those that the change shows already.
@@ -120,10 +119,10 @@ AuditRun audit_run(const std::string& case_path, const Variant& variant, const S
 }
 
 AuditChange audit_change(const AuditRun& run, const AuditRun& base) {
-  AuditChange change{none,
+  AuditChange change{core::none,
                      compare_profiles(run.quantities.profile, base.quantities.profile).mean,
                      heat_difference(run.quantities, base.quantities),
-                     none,
+                     core::none,
                      "",
                      0};
   change.shape = 0.5 * (mean_distance(run.loops, base.loops) + mean_distance(base.loops, run.loops));

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "core/case/case_file.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/study/model_variants.hpp"
 
 namespace parison::forming {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double level_of(const Variant& variant) {
   return read_accuracy(variant.accuracy).effective_level();
@@ -55,12 +54,12 @@ double over_front(const std::vector<VariantResult>& results, const VariantResult
   std::sort(line.begin(), line.end(), [](const auto* a, const auto* b) { return a->error() < b->error(); });
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i]->error() < variant.error()) continue;
-    if (i == 0) return line[0]->error() == variant.error() ? variant.cpu / line[0]->cpu : none;
+    if (i == 0) return line[0]->error() == variant.error() ? variant.cpu / line[0]->cpu : core::none;
     const VariantResult &a = *line[i - 1], &b = *line[i];
     const double t = std::log(variant.error() / a.error()) / std::log(b.error() / a.error());
     return variant.cpu / std::exp((1 - t) * std::log(a.cpu) + t * std::log(b.cpu));
   }
-  return line.empty() ? none : variant.cpu / line.back()->cpu;
+  return line.empty() ? core::none : variant.cpu / line.back()->cpu;
 }
 
 ErrorLaw fit_error_law(const std::vector<VariantResult>& results, double (*error)(const VariantResult&)) {
@@ -69,7 +68,7 @@ ErrorLaw fit_error_law(const std::vector<VariantResult>& results, double (*error
   for (const VariantResult& result : results)
     if (result.completed && result.variant.group == "accuracy" && error(result) > 0)
       points.emplace_back(level_of(result.variant), error(result));
-  ErrorLaw best{none, none};
+  ErrorLaw best{core::none, core::none};
   if (points.size() < 2) return best;
   double least = std::numeric_limits<double>::infinity();
   // Below the first order nothing here converges; only scatter looks so.

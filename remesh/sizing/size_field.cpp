@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "remesh/surface/curve.hpp"
 #include "remesh/surface/film.hpp"
@@ -119,8 +120,6 @@ using core::Point;
 namespace {
 
 constexpr Index max_samples = 64;  ///< of the wanted sizes along one old edge
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Nodal value at s of an edge, linear between its three nodes; infinite where one of the two is.
 template <class Nodal>
 double along(const std::array<Index, 3>& edge, double s, const Nodal& value) {
@@ -138,7 +137,7 @@ std::vector<double> curvature_radii(const Mesh& mesh) {
     double turn = turning(tangent(mesh, edge, 0), tangent(mesh, edge, 1));
     for (const double kink : {links[i].kink, links[links[i].next].kink})
       if (std::abs(kink) < corner_angle) turn += 0.5 * kink;
-    radii[i] = std::abs(turn) > 1e-9 ? arc_length(mesh, edge, 1) / std::abs(turn) : infinity;
+    radii[i] = std::abs(turn) > 1e-9 ? arc_length(mesh, edge, 1) / std::abs(turn) : core::infinity;
   }
   return radii;
 }
@@ -179,7 +178,7 @@ SizeField size_field(const Mesh& old, const Criteria& criteria) {
     if (criteria.straight_boundaries.at(old.boundary_edges()[i].boundary_id)) continue;
     const double bend = std::max(max_turn * radii[i], criteria.min_size);
     const auto skin = [&](Index node) {
-      return criteria.target_skin_size.empty() ? infinity : criteria.target_skin_size[node];
+      return criteria.target_skin_size.empty() ? core::infinity : criteria.target_skin_size[node];
     };
     const auto least = [&](const auto& at) { return std::min({at(edge[0]), at(edge[1]), at(edge[2])}); };
     const double min_thickness = least([&](Index node) { return wall[node]; });

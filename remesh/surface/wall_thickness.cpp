@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/math/numbers.hpp"
 #include "remesh/mesher/fans.hpp"
 #include "remesh/surface/boundary_rays.hpp"
 #include "remesh/surface/curve.hpp"
@@ -15,8 +16,6 @@
 namespace parison::remesh {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Boundaries, one flag for each, behind which a body goes on as its mirror image.
 using Mirrors = std::vector<bool>;
@@ -39,7 +38,7 @@ std::vector<Index> sources_of_vertices(const Mesh& mesh, const Eigen::VectorXd& 
       return std::tie(distance, vertex) > std::tie(other.distance, other.vertex);
     }
   };
-  std::vector<double> reached(mesh.vertex_count(), infinity);
+  std::vector<double> reached(mesh.vertex_count(), core::infinity);
   std::vector<Index> source(mesh.vertex_count(), -1);
   const auto reach = [&](Index vertex, Index from) {
     const double distance = (mesh.nodes[vertex] - mesh.nodes[from]).squaredNorm();
@@ -93,10 +92,10 @@ Wall wall_between(const Mesh& mesh, double reach, const Mirrors& mirrors, const 
   const BoundaryRays rays(mesh);
   Mirrors open = mirrors;
   open.flip();
-  Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), infinity), std::vector<Index>(mesh.nodes.size(), -1),
+  Wall wall{Eigen::VectorXd::Constant(mesh.node_count(), core::infinity), std::vector<Index>(mesh.nodes.size(), -1),
             normal_sums(mesh, open)};
   constexpr double likely = 1.5;  // times the thickness beside: a node's own is no greater as a rule
-  double beside = infinity;
+  double beside = core::infinity;
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     for (const Index node : edge.nodes) {
       if (!only.empty() && !only[node]) continue;
@@ -120,7 +119,7 @@ Wall surface_wall(const Mesh& mesh, double reach, const std::vector<bool>& only)
 }
 
 Eigen::VectorXd wall_thickness(const Mesh& mesh) {
-  Eigen::VectorXd thickness = wall_between(mesh, infinity, passing_no_heat(mesh)).thickness;
+  Eigen::VectorXd thickness = wall_between(mesh, core::infinity, passing_no_heat(mesh)).thickness;
   spread_inward(mesh, thickness);
   return thickness;
 }

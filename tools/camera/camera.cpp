@@ -17,6 +17,7 @@
 #include "core/case/units.hpp"
 #include "core/io/files.hpp"
 #include "core/io/written_files.hpp"
+#include "core/math/numbers.hpp"
 #include "core/mesh/mesh.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "thermal/radiation/camera/line_of_sight.hpp"
@@ -35,13 +36,12 @@ struct HotSection {
   Eigen::VectorXd temperature;  ///< K
 };
 
-constexpr double millimetre = 1e-3;
 constexpr int nodes_of_cell = 6, corners_of_cell = 3;
 
 /// The mesh of a file, its nodes renumbered with the corners first; `node` becomes the file's number of each.
 core::Mesh mesh_of(const VtuFile& file, std::vector<std::size_t>& node) {
   const auto place = [&](std::size_t n) {
-    return core::Point(millimetre * file.points[n][0], millimetre * file.points[n][1]);
+    return core::Point(core::millimetre * file.points[n][0], core::millimetre * file.points[n][1]);
   };
   std::map<std::size_t, core::Index> corner;
   std::vector<core::Point> vertices;
@@ -88,7 +88,7 @@ HotSection read_hot_section(const std::string& folder, std::optional<double> tim
 using thermal::CameraBand;
 using thermal::LineOfSight;
 
-constexpr double millimetre = 1e-3, micrometre = 1e-6;
+constexpr double micrometre = 1e-6;
 constexpr std::size_t most_pixels = 400000;
 constexpr double shortest_wave = 0.3e-6, longest_wave = 50e-6;  // m: what thermal cameras see, with a margin
 
@@ -147,13 +147,13 @@ Raster raster_of(const core::Mesh& mesh, double pixel) {
   const double columns = std::ceil(radius / pixel), rows = std::floor((high - low) / pixel);
   if (!(rows >= 1) || columns * rows > most_pixels)
     throw core::CaseError(fmt::format("--pixel: {:g} mm was found, allowed are 1 to {} pixels on half of the container",
-                                      pixel / millimetre, most_pixels));
+                                      pixel / core::millimetre, most_pixels));
   return {pixel, low + 0.5 * (high - low - (rows - 1) * pixel), static_cast<std::size_t>(columns),
           static_cast<std::size_t>(rows)};
 }
 
 InfraredImage image_of(const LineOfSight& view, const Raster& raster, const std::string& title, bool upright) {
-  InfraredImage image{title, raster.pixel / millimetre, raster.low / millimetre, {}, upright};
+  InfraredImage image{title, raster.pixel / core::millimetre, raster.low / core::millimetre, {}, upright};
   const double away = 10 * raster.pixel * static_cast<double>(raster.columns + raster.rows);
   for (std::size_t row = 0; row < raster.rows; ++row) {
     auto& values = image.rows.emplace_back();

@@ -12,7 +12,6 @@
 namespace parison::core {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int largest_exponent = 30, largest_power = 10;
 constexpr const char* power_range = "allowed behind ^ is a whole number, -10 to 10";
 
@@ -221,7 +220,7 @@ class Formula {
     const std::string_view name = rest_.substr(0, size);
     rest_.remove_prefix(size);
     if (take('(')) return function(name);
-    if (name == "pi") return {pi, {}};
+    if (name == "pi") return {M_PI, {}};
     if (const auto found = find(name)) return *found;
     fail(fmt::format("there is no dimension \"{}\"{}, allowed {}", name, did_you_mean(std::string(name), known_.names),
                      known_.names.empty() ? "are those of a table [dimension]"

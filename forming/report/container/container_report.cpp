@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/container/hollow.hpp"
@@ -42,7 +43,7 @@ void add_optional(core::JsonWriter& json, const char* key, const std::optional<d
   if (value) json.add(key, *value / unit);
 }
 
-constexpr double millilitre = 1e-6, millimetre = 1e-3;
+constexpr double millilitre = 1e-6;
 
 void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, const std::optional<double>& filled) {
   add_optional(json, "capacity_ml", capacity, millilitre);
@@ -51,8 +52,8 @@ void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, 
 }
 
 void add_size(core::JsonWriter& json, const OuterSize& size) {
-  json.add("height_mm", size.height / millimetre);
-  json.add("diameter_mm", size.diameter / millimetre);
+  json.add("height_mm", size.height / core::millimetre);
+  json.add("diameter_mm", size.diameter / core::millimetre);
 }
 
 std::string millilitres(double volume) {
@@ -93,8 +94,8 @@ std::string cold_text(const ContainerReport& report) {
   const OuterSize &hot = report.size, &cold = report.cold->size;
   return fmt::format(
       "; {:.5g} mm high and {:.4g} mm wide, at 20 degC {:.5g} and {:.4g} mm, {} ml, contraction {:.2f} %",
-      hot.height / millimetre, hot.diameter / millimetre, cold.height / millimetre, cold.diameter / millimetre,
-      millilitres(*report.cold->capacity), 100 * report.cold->contraction);
+      hot.height / core::millimetre, hot.diameter / core::millimetre, cold.height / core::millimetre,
+      cold.diameter / core::millimetre, millilitres(*report.cold->capacity), 100 * report.cold->contraction);
 }
 
 }  // namespace
@@ -135,19 +136,19 @@ void add_container(core::JsonWriter& json, const Scene& scene, const State& stat
   if (!report) return;
   json.open_object("container");
   json.add("weight_g", 1e3 * report->weight);
-  json.add("rim_mm", report->rim / millimetre);
+  json.add("rim_mm", report->rim / core::millimetre);
   if (report->size.height > 0) add_size(json, report->size);
   add_volumes(json, report->capacity, report->filled);
   if (!report->absent.empty()) json.add("capacity_absent", report->absent);
-  add_optional(json, "plunger_stop_mm", report->plunger_stop, millimetre);
-  add_optional(json, "fill_level_mm", scene.output.fill_level, millimetre);
+  add_optional(json, "plunger_stop_mm", report->plunger_stop, core::millimetre);
+  add_optional(json, "fill_level_mm", scene.output.fill_level, core::millimetre);
   add_cold(json, *report);
   const ContainerPlan& plan = *scene.container;
   json.open_object("from_drawings");
   json.add("weight_g", 1e3 * plan.mass);
   add_volumes(json, plan.capacity, plan.filled);
   if (plan.press) json.add("press_cavity_ml", plan.press->cavity / millilitre);
-  if (plan.press) json.add("plunger_stop_mm", plan.press->stop / millimetre);
+  if (plan.press) json.add("plunger_stop_mm", plan.press->stop / core::millimetre);
   add_optional(json, "mould_ml", plan.outside, millilitre);
   json.close();
   json.close();
@@ -161,11 +162,11 @@ std::string capacity_text(const Scene& scene, const State& state, bool is_wall) 
   std::string text = fmt::format("{} ml to the rim", millilitres(*report->capacity));
   const bool is_as_drawn = !differs(*report->capacity, plan.capacity);
   if (!is_as_drawn)
-    text += fmt::format(" at {:.5g} mm, drawn {} ml at {:.5g} mm", report->rim / millimetre,
-                        millilitres(*plan.capacity), *plan.rim / millimetre);
+    text += fmt::format(" at {:.5g} mm, drawn {} ml at {:.5g} mm", report->rim / core::millimetre,
+                        millilitres(*plan.capacity), *plan.rim / core::millimetre);
   if (!report->filled) return text + cold_text(*report);
   text += fmt::format("{} {} ml to {:.4g} mm below it", is_as_drawn ? "," : ";", millilitres(*report->filled),
-                      *scene.output.fill_level / millimetre);
+                      *scene.output.fill_level / core::millimetre);
   if (differs(*report->filled, plan.filled)) text += fmt::format(", drawn {} ml", millilitres(*plan.filled));
   return text + cold_text(*report);
 }

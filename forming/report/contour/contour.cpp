@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/process/mould_filling.hpp"
@@ -106,8 +107,6 @@ std::vector<double> outline_crossings(const core::Mesh& mesh, double level) {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 const char* name_of(SurfacePart side) {
   switch (side) {
     case SurfacePart::outer:
@@ -134,7 +133,7 @@ std::vector<SurfacePart> sides_of_nodes(const core::Mesh& mesh, const WallSides&
 
 /// Thickness at the nodes: of the outer side as in the profile, of the inner side by rays that meet the outer one.
 std::vector<double> thickness_at_nodes(const std::vector<SurfacePart>& side, const ThicknessProfile& profile) {
-  std::vector<double> thickness(side.size(), none);
+  std::vector<double> thickness(side.size(), core::none);
   for (std::size_t n = 0; n < thickness.size(); ++n)
     if (const Ray& ray = profile.rays[n]; side[n] == SurfacePart::inner && ray.ends() &&
                                           profile.sides.part[ray.edge] == SurfacePart::outer &&
@@ -153,7 +152,7 @@ std::vector<bool> without_symmetry(const core::Mesh& mesh) {
 
 /// Thickness on the outer side at a place along the axis, where the outer side is widest; NaN off the wall.
 double outer_thickness(const std::vector<ContourPoint>& points, double axial) {
-  double radius = -1, thickness = none;
+  double radius = -1, thickness = core::none;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const ContourPoint &a = points[i - 1], &b = points[i];
     const double low = std::min(a.position[1], b.position[1]), high = std::max(a.position[1], b.position[1]);
@@ -168,8 +167,8 @@ double outer_thickness(const std::vector<ContourPoint>& points, double axial) {
 
 /// The distance of the slices of glass so high, m.
 double slice_distance(double height) {
-  constexpr double millimetre = 1e-3, least_rows = 50;
-  return millimetre * std::pow(10, std::floor(std::log10(height / millimetre / least_rows) + 1e-9));
+  constexpr double least_rows = 50;
+  return core::millimetre * std::pow(10, std::floor(std::log10(height / core::millimetre / least_rows) + 1e-9));
 }
 
 }  // namespace
@@ -185,7 +184,7 @@ std::vector<ContourPoint> contour(const Scene& scene, const State& state, const 
     if (seen[node]) return;
     seen[node] = true;
     points.push_back({loop, side[node], arc, mesh.nodes[node], thickness[node],
-                      scene.has_heat() ? state.glass.temperature[node] : none});
+                      scene.has_heat() ? state.glass.temperature[node] : core::none});
   };
   Index end = -1;
   for (const ChainEdge& edge : walk_edges(mesh, without_symmetry(mesh))) {
@@ -209,7 +208,7 @@ std::vector<HeightRow> height_rows(const Scene& scene, const State& state, const
   const double edge = 1e-6 * height;  // the slices at the ends are taken so far inside
   std::vector<HeightRow> rows;
   for (int i = 0; i * distance < height * (1 + 1e-12); ++i) {
-    HeightRow row{i * distance, foot + up * i * distance, none, none, none, 0};
+    HeightRow row{i * distance, foot + up * i * distance, core::none, core::none, core::none, 0};
     const double inside = std::clamp(row.axial, shape.low + edge, shape.high - edge);
     const std::vector<double> crossings = outline_crossings(mesh, inside);
     if (crossings.size() >= 2) {

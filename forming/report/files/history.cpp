@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/io/files.hpp"
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/state/sample.hpp"
@@ -19,8 +20,6 @@
 
 namespace parison::forming {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Heat that no entry of a balance explains, relative to what the glass has lost.
 double relative_to_heat_lost(const State& state, double unexplained) {
@@ -57,7 +56,7 @@ double weighted_contact_area(const std::vector<core::InterfacePoint>& interface)
 
 double probe_temperature(const Scene& scene, const State& state, std::size_t probe) {
   const Index body = scene.probes[probe].body;
-  if (temperature_of(state, body).size() == 0) return none;
+  if (temperature_of(state, body).size() == 0) return core::none;
   return sample(mesh_of(state, body), temperature_of(state, body), state.probes.at(probe));
 }
 
@@ -84,7 +83,7 @@ GlassFacts glass_facts(const Scene& scene, const State& state) {
   facts.volume = core::volume(glass.mesh, scene.geometry);
   facts.mass = state.glass.density * relative_mass(scene, state.glass);
   facts.volume_drift = excess_volume(scene, state) / state.glass.initial_volume;
-  facts.mean = facts.lowest = facts.highest = none;
+  facts.mean = facts.lowest = facts.highest = core::none;
   facts.energy_imbalance = 0;
   if (!scene.has_heat()) return facts;
   facts.mean = mean_temperature(scene, state);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/unilateral/tool_gap.hpp"
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/scene/container/crossings.hpp"
@@ -13,8 +14,6 @@
 namespace parison::forming {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void add_skin(const Scene& scene, const GlassState& glass, GlassShape& shape) {
   double sum = 0, area = 0, logarithm = 0, least = std::numeric_limits<double>::infinity();
@@ -38,7 +37,8 @@ void add_skin(const Scene& scene, const GlassState& glass, GlassShape& shape) {
 }  // namespace
 
 GlassShape glass_shape(const Scene& scene, const State& state) {
-  GlassShape shape{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), none, none, none};
+  GlassShape shape{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), core::none,
+                   core::none, core::none};
   for (const Point& x : state.glass.mesh.nodes) {
     shape.low = std::min(shape.low, x[core::dim - 1]);
     shape.high = std::max(shape.high, x[core::dim - 1]);
@@ -52,7 +52,7 @@ int upwards(const Scene& scene, const State& state) {
 }
 
 double lowest_downwards(const Scene& scene, const State& state) {
-  if (scene.stages.at(state.stage).gravity == 0) return none;
+  if (scene.stages.at(state.stage).gravity == 0) return core::none;
   double lowest = -std::numeric_limits<double>::infinity();
   for (const Point& x : state.glass.mesh.nodes) lowest = std::max(lowest, -upwards(scene, state) * x[core::dim - 1]);
   return lowest;

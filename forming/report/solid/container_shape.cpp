@@ -13,6 +13,7 @@
 #include "core/io/csv.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/math/numbers.hpp"
 
 namespace parison::forming {
 namespace {
@@ -50,7 +51,6 @@ class Columns {
   std::vector<int> place_;
 };
 
-constexpr double millimetre = 1e-3;
 constexpr double on_axis = 1e-7;  ///< m
 
 std::vector<Point> read_outline(const std::string& path) {
@@ -59,7 +59,7 @@ std::vector<Point> read_outline(const std::string& path) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows.text(i, 0) != "0")
       throw core::CaseError(fmt::format("{}: the glass has several surfaces (a bubble), allowed is one surface", path));
-    points.push_back(millimetre * Point(rows.number(i, 1), rows.number(i, 2)));
+    points.push_back(core::millimetre * Point(rows.number(i, 1), rows.number(i, 2)));
     if (points.back()[0] < on_axis) points.back()[0] = 0;
     if (points.size() > 1 && (points.back() - points[points.size() - 2]).norm() < on_axis) points.pop_back();
   }
@@ -78,7 +78,7 @@ std::vector<MidPoint> read_middle(const std::string& path, double& bridged) {
     const bool is_wall = rows.text(i, 0) == "wall";
     if (is_wall) {
       const Point outer(rows.number(i, 1), rows.number(i, 2)), inner(rows.number(i, 3), rows.number(i, 4));
-      MidPoint point{millimetre * 0.5 * (outer + inner), millimetre * rows.number(i, 5)};
+      MidPoint point{core::millimetre * 0.5 * (outer + inner), core::millimetre * rows.number(i, 5)};
       if (point.position[0] < on_axis) point.position[0] = 0;
       const double step = middle.empty() ? 0 : (point.position - middle.back().position).norm();
       length += step;

@@ -16,6 +16,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "core/io/written_files.hpp"
+#include "core/math/numbers.hpp"
 #include "core/process/child_work.hpp"
 #include "core/process/gmsh_module.hpp"
 #include "core/process/run_error.hpp"
@@ -60,8 +61,6 @@ namespace {
 
 using core::Point;
 using Space = std::array<double, 3>;
-
-constexpr double millimetre = 1e-3;
 
 /// Triangles as a binary STL file has them, and the volume they enclose, in the unit of the corners.
 class Triangles {
@@ -116,7 +115,8 @@ double write_stl(const std::string& path, const ContainerShape& shape, double de
   const int sides = sides_around(points, deviation);
   const auto at = [&](const Point& x, int side) {
     const double angle = 2 * M_PI * (side % sides) / sides;
-    return Space{x[0] * std::cos(angle) / millimetre, x[0] * std::sin(angle) / millimetre, x[1] / millimetre};
+    return Space{x[0] * std::cos(angle) / core::millimetre, x[0] * std::sin(angle) / core::millimetre,
+                 x[1] / core::millimetre};
   };
   Triangles triangles;
   for (std::size_t i = 0; i + (shape.is_loop ? 0 : 1) < points.size(); ++i) {
@@ -127,12 +127,10 @@ double write_stl(const std::string& path, const ContainerShape& shape, double de
     }
   }
   core::replace_file(path, triangles.file());
-  return millimetre * millimetre * millimetre * triangles.volume();
+  return core::millimetre * core::millimetre * core::millimetre * triangles.volume();
 }
 
 namespace {
-
-constexpr double millimetre = 1e-3;
 
 double distance(const MidPoint& a, const MidPoint& b) {
   return (a.position - b.position).norm();
@@ -186,11 +184,11 @@ std::string node_lines(const std::vector<MidPoint>& points, int around, std::str
   std::string text;
   long number = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double r = points[i].position[0] / millimetre, z = points[i].position[1] / millimetre;
+    const double r = points[i].position[0] / core::millimetre, z = points[i].position[1] / core::millimetre;
     for (int angle = 0; angle < (r == 0 ? 1 : around); angle += i % 2 == 0 ? 1 : 2) {
       const double turned = 2 * M_PI * angle / around;
       text += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", ++number, r * std::cos(turned), r * std::sin(turned), z);
-      thickness += fmt::format("{}, {:.7g}\n", number, points[i].thickness / millimetre);
+      thickness += fmt::format("{}, {:.7g}\n", number, points[i].thickness / core::millimetre);
     }
   }
   return text;

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
+
 namespace parison::forming {
 namespace {
 
 using core::Point;
 namespace occ = gmsh::model::occ;
-
-constexpr double millimetre = 1e-3;
 
 /// Whether the outline bends so sharply at a point that it is an edge of the solid: by more than 25 degrees.
 bool is_corner(const Point& before, const Point& at, const Point& after) {
@@ -31,7 +31,7 @@ Point derivative(const std::vector<Point>& x, const std::vector<double>& s, std:
 }
 
 int add_point(const Point& x) {
-  return occ::addPoint(x[0] / millimetre, 0, x[1] / millimetre);
+  return occ::addPoint(x[0] / core::millimetre, 0, x[1] / core::millimetre);
 }
 
 /// A run of the outline between two corners.
@@ -45,13 +45,13 @@ struct Run {
 /// follows each point from its neighbours alone, so that one rough place does not spread.
 int add_spline(const Run& run, std::size_t begin, std::size_t end, int first, int last) {
   std::vector<int> control{first}, multiplicity{4};
-  std::vector<double> knots{run.arc[begin] / millimetre};
+  std::vector<double> knots{run.arc[begin] / core::millimetre};
   for (std::size_t i = begin; i < end; ++i) {
     const double third = (run.arc[i + 1] - run.arc[i]) / 3;
     control.push_back(add_point(run.points[i] + third * derivative(run.points, run.arc, i)));
     control.push_back(add_point(run.points[i + 1] - third * derivative(run.points, run.arc, i + 1)));
     multiplicity.push_back(i + 1 == end ? 4 : 2);
-    knots.push_back(run.arc[i + 1] / millimetre);
+    knots.push_back(run.arc[i + 1] / core::millimetre);
   }
   control.push_back(last);
   return occ::addBSpline(control, -1, 3, {}, knots, multiplicity);

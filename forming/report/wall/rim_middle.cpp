@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "forming/report/wall/surface_chain.hpp"
 #include "forming/report/wall/wall_marks.hpp"
@@ -9,7 +10,6 @@
 namespace parison::forming {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double turned = 0.5;  ///< cosine of the 60 degrees by which the middle stretch of a rim is off the wall
 constexpr int samples = 4;      ///< along an edge
 
@@ -19,7 +19,7 @@ class Passage {
   explicit Passage(double level) : level_(level) {}
   void visit(double arc, double cosine) {
     if (cosine >= level_)
-      at_ = none;
+      at_ = core::none;
     else if (std::isnan(at_))
       at_ = std::isnan(arc_) ? arc : arc_ + (cosine_ - level_) / (cosine_ - cosine) * (arc - arc_);
     arc_ = arc, cosine_ = cosine;
@@ -27,7 +27,7 @@ class Passage {
   double at() const { return at_; }
 
  private:
-  double level_, arc_ = none, cosine_ = none, at_ = none;
+  double level_, arc_ = core::none, cosine_ = core::none, at_ = core::none;
 };
 
 /// First and last edge of the loop that an edge lies on, the latter past the end.
@@ -47,7 +47,7 @@ class FixedRim {
       if (!is_known()) begin_ = from;
       end_ = to;
       is_side_ = std::abs(end_ - begin_) > near_;
-      if (is_side_) begin_ = none, is_on_ = false;
+      if (is_side_) begin_ = core::none, is_on_ = false;
     }
   }
   bool is_on() const { return is_on_; }
@@ -56,7 +56,7 @@ class FixedRim {
   double middle() const { return 0.5 * (begin_ + end_); }
 
  private:
-  double near_, begin_ = none, end_ = none;
+  double near_, begin_ = core::none, end_ = core::none;
   bool is_on_ = false, is_side_ = false;
 };
 

@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "remesh/surface/boundary_rays.hpp"
 #include "remesh/surface/curve.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Rays that meet an edge at less than this, as a sine, run along it.
 constexpr double grazing = 1e-6;
 /// A ray across the axis at a greater angle to it, by its cosine, goes through a rod.
@@ -114,7 +114,7 @@ double distance_to_edges(const core::Mesh& mesh, const std::vector<bool>& wanted
     const double along = (x - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300);
     return (x - a - std::clamp(along, 0.0, 1.0) * chord).squaredNorm();
   };
-  double nearest = infinity;
+  double nearest = core::infinity;
   for (std::size_t edge = 0; edge < wanted_edges.size(); ++edge) {
     if (!wanted_edges[edge]) continue;
     const auto& [first, last, mid] = mesh.boundary_edges()[edge].nodes;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Room around the middle of a ray between the sides of the wall over its length; less where it runs along the wall.
 constexpr double least_room = 0.5;
 /// Least cosine between a ray and the normal at its end beside a rim, where the sides bend towards each other.
@@ -60,7 +60,7 @@ class RowsBesideRim {
 
 /// Cosine of the angle between a ray and the normal where it ends, and the least one of a wall.
 struct Facing {
-  double least = none, is = none;
+  double least = core::none, is = core::none;
 };
 
 /// The nodes of rims, and those at which the two sides meet.
@@ -135,8 +135,8 @@ std::vector<Stretch> wall_stretches(const core::Mesh& mesh, const std::vector<In
 
 void take_off(ThicknessRow& row, WallMark mark) {
   row.mark = mark;
-  row.thickness = none;
-  row.inner_position = Point::Constant(none);
+  row.thickness = core::none;
+  row.inner_position = Point::Constant(core::none);
 }
 
 /// A short stretch of wall is none: a roll at a rim, or rays from a heel or a bead that happen to meet the other side.

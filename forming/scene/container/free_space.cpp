@@ -6,12 +6,12 @@
 #include <limits>
 #include <numeric>
 
+#include "core/math/numbers.hpp"
 #include "forming/scene/container/crossings.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_crossings = 300'000, most_bands = 2000;
 constexpr int least_panels = 800;  // over the whole height
 
@@ -96,13 +96,14 @@ void close_bands(const std::vector<Level>& levels, double sealed, std::vector<st
 /// What the spans leave free of a line, without gaps up to `sealed`.
 void add_gaps(std::vector<Span> spans, std::size_t level, double sealed, std::vector<Gap>& gaps) {
   std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.inner < b.inner; });
-  Gap gap{0, infinity, 0, 0, false, false, level};
+  Gap gap{0, core::infinity, 0, 0, false, false, level};
   for (const Span& span : spans) {
     if (span.inner - gap.inner > sealed) {
       gap.outer = span.inner, gap.outer_solid = span.inner_solid, gap.outer_contact = span.inner_contact;
       gaps.push_back(gap);
     }
-    if (span.outer > gap.inner) gap = {span.outer, infinity, span.outer_solid, 0, span.outer_contact, false, level};
+    if (span.outer > gap.inner)
+      gap = {span.outer, core::infinity, span.outer_solid, 0, span.outer_contact, false, level};
   }
   gaps.push_back(gap);
 }
@@ -155,7 +156,7 @@ std::vector<FreeRegion> regions_of(const std::vector<Gap>& gaps, const std::vect
     if (index[root] == gaps.size()) {
       index[root] = regions.size();
       regions.emplace_back();
-      regions.back().low = infinity, regions.back().high = -infinity;
+      regions.back().low = core::infinity, regions.back().high = -core::infinity;
       regions.back().touches.assign(solids, false);
     }
     FreeRegion& region = regions[index[root]];

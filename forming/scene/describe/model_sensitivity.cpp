@@ -9,12 +9,12 @@
 
 #include "forming/scene/calibration.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
+#include "thermal/radiation/planck.hpp"
 
 namespace parison::forming {
 namespace {
 
-constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
-constexpr double earth = 9.81;                       ///< m/s2
+constexpr double earth = 9.81;  ///< m/s2
 const ContainerGlass container_glass;
 
 /// What was measured of a part, by its name.
@@ -176,7 +176,7 @@ void add_surface(Estimator& e, double conductivity) {
   };
   const bool emits = e.scene.glass.emissivity > 0;
   cooling("surface radiation", emits,
-          4 * stefan_boltzmann * (emits ? e.scene.glass.emissivity : container_glass.emissivity) *
+          4 * thermal::stefan_boltzmann * (emits ? e.scene.glass.emissivity : container_glass.emissivity) *
               (std::pow(hot, 4) - std::pow(around, 4)),
           measured("surface radiation"));
   cooling("cooling by air", h > 0, (h > 0 ? h : container_glass.air) * (hot - air), measured("cooling by air"));

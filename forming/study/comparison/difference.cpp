@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/math/numbers.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -15,7 +16,6 @@
 namespace parison::forming {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double confidence = 0.9;
 /// A bar of the profile is that of the places around it, so many to each side.
 constexpr int neighbours = 8;
@@ -158,14 +158,14 @@ double scatter_by_twins(const Evidence& evidence, const Value& value) {
       squares += finer * finer;
       ++count;
     }
-  if (count == 0) return none;
+  if (count == 0) return core::none;
   const double t = boost::math::quantile(boost::math::students_t(count), 0.5 * (1 + confidence));
   return t * std::sqrt(squares / count / double(evidence.pairs.size()));
 }
 
 /// Richardson's estimate of the error of a difference by the differences of the coarser runs; NaN without one.
 double error_by_partners(const Evidence& evidence, const Value& value, double difference) {
-  double error = none;
+  double error = core::none;
   for (const Partners& partners : evidence.partners)
     if (const auto coarse = difference_of(value, partners.pairs))
       error = std::fmax(error, richardson_estimate(*coarse - difference, 1, partners.factor, difference_order));
@@ -197,7 +197,7 @@ Difference compare_quantity(const Evidence& evidence, const Quantity& base, cons
 /// Each bar or the root mean square of those around it, whichever is larger: at one place alone runs may agree by
 /// chance.
 std::vector<double> with_neighbours(const std::vector<double>& bars) {
-  std::vector<double> wide(bars.size(), none);
+  std::vector<double> wide(bars.size(), core::none);
   const int size = static_cast<int>(bars.size());
   for (int i = 0; i < size; ++i) {
     if (!std::isfinite(bars[i])) continue;
@@ -217,7 +217,7 @@ ProfileComparison compare_walls(const Evidence& evidence, const RunComparison& c
   ProfileComparison walls;
   const auto &base = evidence.base.quantities.profile, &other = evidence.other.quantities.profile;
   if (base.empty() || base.size() != other.size()) return walls;
-  walls = {base, other, std::vector(base.size(), none), std::vector(base.size(), none)};
+  walls = {base, other, std::vector(base.size(), core::none), std::vector(base.size(), core::none)};
   for (std::size_t i = 0; i < base.size(); ++i) {
     const Value value = wall_at(i);
     const auto means = means_of(value, evidence.pairs);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/case/units.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/search/goal.hpp"
 #include "forming/study/setting_error.hpp"
@@ -17,7 +18,6 @@ using core::CaseNode;
 using core::CaseTable;
 using Kind = Target::Kind;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int usual_runs = 120;
 constexpr double usual_corrections = 1, most_corrections = 10;
 
@@ -96,7 +96,7 @@ void read_wall(const CaseNode& node, const std::string& directory, Target& targe
 }
 
 WallPart read_part(const CaseTable& table) {
-  WallPart part{-infinity, infinity};
+  WallPart part{-core::infinity, core::infinity};
   if (const CaseNode* from = table.find("from")) part.from = in_unit(read_measured(*from), "mm", *from);
   if (const CaseNode* to = table.find("to")) {
     part.to = in_unit(read_measured(*to), "mm", *to);
@@ -149,12 +149,12 @@ void read_limits(const CaseTable& root, const Reach& reach, std::vector<Limit>& 
   for (const CaseNode* node : root.tables("limit")) {
     const CaseTable table(*node, {"quantity", "at_least", "at_most"});
     const Quantity& quantity = known_quantity(table.get("quantity"), reach.known);
-    double low = -infinity, high = infinity;
+    double low = -core::infinity, high = core::infinity;
     const auto read = [&](const char* key, bool at_least, double& end) {
       const CaseNode* given = table.find(key);
       if (!given) return;
       end = in_unit(read_measured(*given), quantity.unit, *given);
-      require_reachable(*given, quantity, at_least ? end : -infinity, at_least ? infinity : end, reach);
+      require_reachable(*given, quantity, at_least ? end : -core::infinity, at_least ? core::infinity : end, reach);
       limits.push_back({quantity.name, quantity.unit, end, at_least});
     };
     read("at_least", true, low);

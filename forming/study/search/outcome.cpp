@@ -11,11 +11,10 @@
 #include "core/io/csv.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
+#include "core/math/numbers.hpp"
 
 namespace parison::forming {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The first of such columns that a table has, -1 for none.
 int column(const core::CsvTable& table, std::initializer_list<const char*> names) {
@@ -66,7 +65,7 @@ WallTable read_wall_table(const std::string& path) {
                     csv.heading_line));
   WallTable table{arc >= 0, {}, {}, {}, {}, 0};
   for (const core::CsvTable::Row& row : csv.rows) {
-    const auto cell = [&](int i) { return i >= 0 ? csv.number(row, i) : none; };
+    const auto cell = [&](int i) { return i >= 0 ? csv.number(row, i) : core::none; };
     const double at = cell(place), thickness = cell(thickness_at);
     if (std::isfinite(at)) table.arc_end = at;
     if (!std::isfinite(at) || !std::isfinite(thickness)) continue;
@@ -131,15 +130,15 @@ Outcome read_outcome(const std::string& folder, const WallPart& part) {
 }
 
 std::vector<Quantity> known_quantities(const Scene& scene) {
-  std::vector<Quantity> known{{"weight", "g", none, none}};
+  std::vector<Quantity> known{{"weight", "g", core::none, core::none}};
   if (scene.has_flow()) {
-    known.push_back({"wall_rms", "%", none, none});
-    known.push_back({"wall_min", "mm", none, none});
+    known.push_back({"wall_rms", "%", core::none, core::none});
+    known.push_back({"wall_min", "mm", core::none, core::none});
   }
   for (const Quantity& quantity : possible_quantities(scene))
     if (quantity.name != "thickness_min_at") known.push_back(quantity);  // it jumps: no search can follow it
   if (scene.has_heat())
-    for (const Tool& tool : scene.tools) known.push_back({"hottest_" + tool.name, "degC", none, none});
+    for (const Tool& tool : scene.tools) known.push_back({"hottest_" + tool.name, "degC", core::none, core::none});
   return known;
 }
 

@@ -9,13 +9,12 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/study/coarse_run.hpp"
 #include "forming/study/search/case/search_case.hpp"
 
 namespace parison::forming {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string field(double value) {
   return std::isfinite(value) ? fmt::format("{:.9g}", value) : "nan";
@@ -23,7 +22,7 @@ std::string field(double value) {
 
 double quantity(const SearchRow& row, const std::string& name) {
   const Quantity* found = row.outcome.quantities.find(name);
-  return found ? found->value : none;
+  return found ? found->value : core::none;
 }
 
 /// The quantities that any run has, with their units.
@@ -86,7 +85,7 @@ void add_row(core::JsonWriter& json, const char* key, const Goal& goal, const Se
   for (std::size_t k = 0; k < goal.variables.size(); ++k)
     json.add(goal.variables[k].key, goal.variables[k].text(row.at[Eigen::Index(k)]));
   json.close();
-  json.add("value", row.worth ? row.worth->value : none);
+  json.add("value", row.worth ? row.worth->value : core::none);
   json.add("limits_hold", row.worth && row.worth->holds());
   json.open_object("quantities");
   for (const Quantity& quantity : row.outcome.quantities.values) json.add(quantity.name, quantity.value);
@@ -168,8 +167,8 @@ std::string course_text(const Goal& goal, const SearchResult& result) {
   for (const SearchRow& row : result.rows) {
     const auto& worth = row.counted_worth();
     if (worth && (!leader || is_better(*worth, *leader->counted_worth()))) leader = &row;
-    values.push_back(worth ? worth->value : none);
-    best.push_back(leader ? leader->counted_worth()->value : none);
+    values.push_back(worth ? worth->value : core::none);
+    best.push_back(leader ? leader->counted_worth()->value : core::none);
   }
   add_list(json, "values", values);
   add_list(json, "best", best);
@@ -213,8 +212,8 @@ const std::optional<Worth>& worth_of_answer(const SearchResult& result) {
 Confirmed read_confirmed(const Goal& goal, const std::string& folder) {
   const Outcome own = read_outcome(folder, goal.target.part);
   const auto found = worth(goal, own);
-  if (!found) return {none, none, false, own.reason.empty() ? "it lacks what the goal needs" : own.reason};
-  Confirmed confirmed{found->value, none, found->holds(), "", own, found};
+  if (!found) return {core::none, core::none, false, own.reason.empty() ? "it lacks what the goal needs" : own.reason};
+  Confirmed confirmed{found->value, core::none, found->holds(), "", own, found};
   std::vector<ValueOfRun> values{{1, found->value}};
   for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
     const std::string coarse = folder + '/' + coarse_folders[i];

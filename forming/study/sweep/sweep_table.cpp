@@ -11,14 +11,13 @@
 #include "core/io/files.hpp"
 #include "core/io/hdf5.hpp"
 #include "core/io/json_read.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 
 namespace parison::forming {
 namespace {
 
 using Status = SweepState::Status;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 struct Measure {
   double number;
@@ -60,7 +59,7 @@ SweepColumn variable_column(const SweepPlan& plan, std::size_t variable) {
 QuantityColumn& column_of(SweepTable& table, const Quantity& quantity) {
   for (QuantityColumn& column : table.quantities)
     if (column.name == quantity.name) return column;
-  const std::vector<double> empty(table.states.size(), none);
+  const std::vector<double> empty(table.states.size(), core::none);
   return table.quantities.emplace_back(QuantityColumn{quantity.name, quantity.unit, empty, empty});
 }
 
@@ -115,7 +114,7 @@ void write_profiles(const SweepTable& table, core::Hdf5Group& root) {
   std::vector<double> all;
   for (const auto& profile : table.profiles) {
     all.insert(all.end(), profile.begin(), profile.end());
-    all.insert(all.end(), static_cast<std::size_t>(profile_points) - profile.size(), none);
+    all.insert(all.end(), static_cast<std::size_t>(profile_points) - profile.size(), core::none);
   }
   root.write("thickness_profile_mm", all, profile_points);
 }
@@ -152,7 +151,8 @@ std::vector<SweepColumn> variable_columns(const SweepPlan& plan) {
 
 SweepTable read_results(const SweepPlan& plan, const std::vector<SweepState>& states) {
   const std::size_t count = plan.runs.size();
-  SweepTable table{variable_columns(plan), states, std::vector<bool>(count), std::vector<double>(count, none), {}, {}};
+  SweepTable table{
+      variable_columns(plan), states, std::vector<bool>(count), std::vector<double>(count, core::none), {}, {}};
   table.profiles.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (states[i].status != Status::done) continue;

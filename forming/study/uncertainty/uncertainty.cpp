@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/case/case_error.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/model_bars.hpp"
 #include "forming/study/comparison/finished_run.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 using Status = SweepState::Status;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t wall_stride = 5;  // of the points of a profile
 
 SweepTable read_table(const SweepPlan& plan) {
@@ -86,7 +86,8 @@ std::vector<double> of_done(const std::vector<double>& values, const std::vector
 
 std::vector<double> place_values(const SweepTable& table, std::size_t point) {
   std::vector<double> values;
-  for (const std::vector<double>& profile : table.profiles) values.push_back(profile.empty() ? none : profile[point]);
+  for (const std::vector<double>& profile : table.profiles)
+    values.push_back(profile.empty() ? core::none : profile[point]);
   return values;
 }
 

@@ -75,7 +75,6 @@ double FieldAtPoints::operator()(const core::Point& x) const {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double least_share = 1e-4;  ///< of a beam that is still followed; what is left sees what it left
 constexpr int most_surfaces = 24;     ///< that a beam meets
 constexpr int intervals = 24;         ///< of a path through the glass, shortest at its ends, where the skins are
@@ -128,7 +127,7 @@ LineOfSight::LineOfSight(const core::Mesh& mesh, core::Geometry geometry, const 
 
 Eigen::ArrayXd LineOfSight::emission(double temperature) const {
   Eigen::ArrayXd of_part(parts_.size());
-  for (std::size_t i = 0; i < parts_.size(); ++i) of_part[i] = parts_[i].emission.value(temperature) / pi;
+  for (std::size_t i = 0; i < parts_.size(); ++i) of_part[i] = parts_[i].emission.value(temperature) / M_PI;
   return of_part;
 }
 
@@ -138,7 +137,7 @@ double LineOfSight::emitted_along(const Ray& ray, double length, Eigen::ArrayXd&
   double sum = 0, last = 0, before = temperature_(section_.project(ray.at(0)));
   Eigen::ArrayXd source = emission(before);
   for (int k = 1; k <= intervals; ++k) {
-    const double at = 0.5 * length * (1 - std::cos(pi * k / intervals));
+    const double at = 0.5 * length * (1 - std::cos(M_PI * k / intervals));
     const double temperature = temperature_(section_.project(ray.at(at)));
     const Eigen::ArrayXd next = emission(temperature);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -235,7 +234,7 @@ double LineOfSight::apparent_temperature(double radiance) const {
   double low = 200, high = 3000;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (whole_.value(middle) < pi * radiance ? low : high) = middle;
+    (whole_.value(middle) < M_PI * radiance ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/math/numbers.hpp"
 #include "forming/report/error_bars.hpp"
 
 namespace parison::tools {
@@ -15,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Places to each side whose bars count too: a difference may vanish by chance at one of them.
 constexpr int reach = 4;
 
@@ -38,7 +38,7 @@ std::vector<double> bars_of(const forming::FinishedRun& run) {
 
 /// The largest bar near a share of the outer side.
 double bar_at(const std::vector<double>& bars, double share) {
-  double bar = none;
+  double bar = core::none;
   if (bars.empty() || !std::isfinite(share)) return bar;
   const int last = static_cast<int>(bars.size()) - 1;
   const int place = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * last));

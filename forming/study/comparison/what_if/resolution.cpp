@@ -8,6 +8,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/number.hpp"
 #include "core/case/units.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/report/quantity_labels.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/study/comparison/what_if/what_if.hpp"
@@ -15,7 +16,6 @@
 namespace parison::forming {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* usual_quantity = "thickness_min";
 constexpr double first_factor = 2;  ///< of the draft preset's edges and steps
 /// Bars shrink like edges and steps, as far as scatter lets them; the next round aims below the target.
@@ -51,7 +51,7 @@ const std::map<std::string, QuantityUnit>& quantity_units() {
 
 /// The size in the unit of the quantity.
 double read_size(const std::string& size, const std::string& unit, const std::string& wanted) {
-  double value = none;
+  double value = core::none;
   if (const auto known = quantity_units().find(unit); known != quantity_units().end()) {
     const core::ParsedQuantity parsed = core::parse_quantity(size, known->second.dimension);
     if (!parsed.problem.empty()) refuse_size(wanted, parsed.problem);
@@ -83,7 +83,12 @@ double rounded_up(double value) {
 }  // namespace
 
 ResolutionControl::ResolutionControl(const std::string& wanted, const std::vector<Quantity>& possible)
-    : wanted_(wanted), factor_(none), next_factor_(first_factor), target_(none), bar_(none), cpu_(none) {
+    : wanted_(wanted),
+      factor_(core::none),
+      next_factor_(first_factor),
+      target_(core::none),
+      bar_(core::none),
+      cpu_(core::none) {
   const auto equals = wanted.find('=');
   quantity_ = equals == wanted.npos ? usual_quantity : wanted.substr(0, equals);
   if (const std::string problem = unknown_quantity(quantity_, possible); !problem.empty())
@@ -136,11 +141,11 @@ void ResolutionControl::add(const Comparison& comparison, double cpu_seconds) {
   const std::vector<std::string> before = std::move(without_bar_);
   const double bar_before = bar_, factor_before = factor_, cpu_before = cpu_;
   without_bar_.clear();
-  bar_ = none;
+  bar_ = core::none;
   for (const ComparedRun& other : comparison.others) {
     if (other.unchanged) continue;
     const Difference* row = row_of(other, quantity_);
-    const double bar = row ? row->bar : none;
+    const double bar = row ? row->bar : core::none;
     if (row) least_ = std::max(least_, least_bar * row->scale);
     if (!std::isfinite(bar)) without_bar_.push_back(other.label);
     bar_ = std::fmax(bar_, bar);

@@ -48,7 +48,8 @@ FitIntervals fit_intervals(const std::vector<SearchVariable>& variables, const V
   found.scatter = residual.norm() / std::sqrt(double(std::max(1L, found.freedom)));
   const double t = quantile(boost::math::students_t(double(std::max(1L, found.freedom))), 0.975);
   VectorXd width(count);
-  for (Eigen::Index i = 0; i < count; ++i) width[i] = variables[std::size_t(i)].high() - variables[std::size_t(i)].low();
+  for (Eigen::Index i = 0; i < count; ++i)
+    width[i] = variables[std::size_t(i)].high() - variables[std::size_t(i)].low();
   const Eigen::JacobiSVD<MatrixXd> svd(jacobian * width.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   VectorXd variance = VectorXd::Zero(count);
   for (Eigen::Index k = 0; k < count; ++k) {
