@@ -205,7 +205,7 @@ void ActiveSetIteration::balance_driven_tools() {
 }
 
 /// Updates a viscosity that depends on the flow, with Newton's or Picard's matrices for the next iteration. True where
-/// neither viscosity nor friction has changed.
+/// the velocities have settled, so that neither viscosity nor friction would change; always where both are linear.
 bool ActiveSetIteration::linearise_viscosity() {
   const bool steady = linear_ || !(velocity_change_ > velocity_tolerance);
   if (!problem_.material->shear_thinning) return steady;

@@ -49,8 +49,8 @@ Eigen::VectorXd contact_tension(const Problem& problem, const Response& response
   for (Index i = 0; i < tension.size(); ++i) {
     const auto& candidate = problem.candidates[i];
     if (!active[i] || force[i] >= 0 || stays_active(problem, candidate)) continue;
-    // At a vertex the sign is that of the lumped force: the consistent force of a quadratic shape function may vanish
-    // or oscillate there.
+    // A vertex is in tension where its lumped force is too: the consistent force of a quadratic shape function may
+    // oscillate there.
     const bool vertex = candidate.node < problem.mesh->vertex_count();
     const double pull = -(vertex ? shared_force[candidate.node] : force[i]),
                  over = (vertex ? shared_area : area)[candidate.node];
