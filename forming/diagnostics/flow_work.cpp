@@ -67,36 +67,12 @@ double capped_work(const Scene& scene, const State& start, const flow::Solution&
   return dt * power;
 }
 
-double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh, const std::vector<double>& dissipation,
-                       const Eigen::VectorXd& predicted, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                       double dt) {
-  const auto& cells = mesh.cells();
-  const std::size_t points = dissipation.size() / cells.size();
-  // The mean of the nodes in the middle of the sides is that of the cell.
-  const auto mean = [](const auto& cell, const Eigen::VectorXd& temperature) {
-    return (temperature[cell[3]] + temperature[cell[4]] + temperature[cell[5]]) / 3;
-  };
-  double power = 0;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const double first = mean(cells[cell], before), last = mean(cells[cell], after);
-    const double in_flow = viscosity(mean(cells[cell], predicted));
-    const double in_step = (viscosity(first) + 4 * viscosity(0.5 * (first + last)) + viscosity(last)) / 6;
-    // Glass that turns out stiffer by decades would flow less: it counts once at most.
-    const double change = (in_step - in_flow) / std::max(in_step, in_flow);
-    for (std::size_t q = 0; q < points; ++q) power += dissipation[cell * points + q] * change;
-  }
-  return dt * std::abs(power);
-}
-
 void follow_flow_work(const Scene& scene, const State& before, const StepResult& step, FlowWork& work) {
   const double dt = step.report.dt;
   work.max_reynolds = std::max(work.max_reynolds, reynolds(scene, before, step.flow));
   sample_resolution(scene, before, step.flow, dt, work);
   work.capped += capped_work(scene, before, step.flow, dt);
-  if (scene.has_heat())
-    work.unforeseen +=
-        unforeseen_work(scene.glass.flow->viscosity, before.glass.mesh, step.dissipation, step.flow_temperature,
-                        before.glass.temperature, step.at_heat.glass.temperature, dt);
+  work.unforeseen += step.report.unforeseen_work;
 }
 
 }  // namespace parison::forming

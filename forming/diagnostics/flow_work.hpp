@@ -17,13 +17,6 @@ struct FlowWork {
 /// The work, J, that a step of such a length and flow dissipates where the viscosity is at its cap.
 double capped_work(const Scene& scene, const State& start, const flow::Solution& flow, double dt);
 
-/// The work, J without sign, by which the dissipation of a step (W at each quadrature point) would differ at the mean
-/// viscosity over the step (Simpson's rule) of the temperatures that its heat gave, instead of that of those predicted
-/// for its middle.
-double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh, const std::vector<double>& dissipation,
-                       const Eigen::VectorXd& predicted, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                       double dt);
-
 /// Adds a step of glass that flows.
 void follow_flow_work(const Scene& scene, const State& before, const StepResult& step, FlowWork& work);
 

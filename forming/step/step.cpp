@@ -10,6 +10,7 @@
 #include "core/process/work_times.hpp"
 #include "forming/state/interpolate.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
+#include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/edge_correction.hpp"
 #include "forming/step/contact/penetration.hpp"
@@ -217,13 +218,25 @@ void finish(const StepStart& start, State& after) {
   ++after.totals.steps;
 }
 
+/// Notes the work of a step by temperatures of its middle that its heat did not bear out.
+void note_unforeseen(const StepStart& start, StepResult& result) {
+  const auto &before = start.state, &after = result.state;
+  const double work =
+      unforeseen_work(start.scene.glass.flow->viscosity, before.glass.mesh, result.dissipation, result.flow_temperature,
+                      before.glass.temperature, after.glass.temperature, start.dt);
+  const double measure = measure_of_error(start.scene, before, before.totals.work, after.totals.work);
+  result.report.unforeseen_work = work;
+  result.report.unforeseen_error = measure > 0 ? work / measure : 0;
+}
+
 /// What the step control needs of a step, in the report and for the steps to come.
 void report_step(const StepStart& start, const Workspace& workspace, StepResult& result) {
   StepReport& report = result.report;
   report.dt = start.dt;
   report.clamped_lookups = workspace.clamped_lookups;
+  if (start.scene.has_flow() && start.scene.has_heat()) note_unforeseen(start, result);
   // Where nothing moves the heat integrator alone chooses the steps.
-  if (start.scene.has_heat() && !workspace.static_stage)
+  if (start.scene.has_heat() && !start.scene.has_flow() && !workspace.static_stage)
     report.temperature_change = surface_temperature_change(start.scene, start.state, result.state, report.interface);
   result.state.last_landed = report.landed_length;
   result.state.last_work_error = report.work_error;

@@ -38,6 +38,7 @@ std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report, 
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
        std::pair(landed / (scene.accuracy.landing_per_step * scene.accuracy.surface_size), StepLimit::landing),
        std::pair(std::sqrt(work_error / scene.accuracy.work_per_step), StepLimit::work),
+       std::pair(std::sqrt(report.unforeseen_error / scene.accuracy.work_per_step), StepLimit::temperature),
        std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
        std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }

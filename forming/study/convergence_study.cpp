@@ -151,6 +151,7 @@ std::vector<Variant> numerical_variants(const Scene& scene) {
       add_key("mesh", key, key == std::string("skin_size") ? 0.5 : 2);
     add_key("mesh", "elements_across", 0.7);
     for (const double factor : {2.0, 0.5}) add_key("time", "strain_per_step", factor);
+    for (const double factor : {4.0, 0.25}) add_key("time", "work_per_step", factor);
     for (const double factor : {4.0, 0.25}) add_key("time", "motion_tolerance", factor);
     add_key("time", "max_step", 2);
     for (const int passes : {1, 2, 3})
@@ -159,8 +160,6 @@ std::vector<Variant> numerical_variants(const Scene& scene) {
   }
   if (scene.has_heat()) {
     for (const double factor : {4.0, 0.25}) add_key("time", "temperature_tolerance", factor);
-    if (scene.has_flow())
-      for (const double factor : {2.0, 0.5}) add_key("time", "temperature_per_step", factor);
     const int other = 3 - scene.accuracy.temperature_order;
     add(fmt::format("temperature_order_{}", other), "order", {fmt::format("numerics.temperature_order={}", other)});
   }

@@ -108,11 +108,32 @@ double work_of_no_motion(const Scene& scene, const State& state) {
 
 }  // namespace
 
+double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh, const std::vector<double>& dissipation,
+                       const Eigen::VectorXd& predicted, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+                       double dt) {
+  const auto& cells = mesh.cells();
+  const std::size_t points = dissipation.size() / cells.size();
+  // The mean of the nodes in the middle of the sides is that of the cell.
+  const auto mean = [](const auto& cell, const Eigen::VectorXd& temperature) {
+    return (temperature[cell[3]] + temperature[cell[4]] + temperature[cell[5]]) / 3;
+  };
+  double power = 0;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const double first = mean(cells[cell], before), last = mean(cells[cell], after);
+    const double in_flow = viscosity(mean(cells[cell], predicted));
+    const double in_step = (viscosity(first) + 4 * viscosity(0.5 * (first + last)) + viscosity(last)) / 6;
+    // Glass that turns out stiffer by decades would flow less: it counts once at most.
+    const double change = (in_step - in_flow) / std::max(in_step, in_flow);
+    for (std::size_t q = 0; q < points; ++q) power += dissipation[cell * points + q] * std::abs(change);
+  }
+  return dt * power;
+}
+
 /// The least share of the whole that counts. A film that bursts takes many steps, each with little of the work and half
 /// of that wrong.
 constexpr double least_share = 0.1;
 
-double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
+double measure_of_error(const Scene& scene, const State& start, const Work& before, const Work& after) {
   constexpr double negligible =
       1e-3;  // of what pressures could do: glass that they hold at rest has round-off far below
   double pressure = 0;
@@ -122,10 +143,14 @@ double work_error(const Scene& scene, const State& start, const Work& before, co
       std::max({lost(after), std::abs(after.tools), std::abs(after.air), std::abs(after.gravity),
                 weight * core::size(scene.glass.profile), negligible * pressure * start.glass.initial_volume,
                 work_of_no_motion(scene, start)});
+  const double own = usual_steps * (lost(after) - lost(before));
+  return std::min(measure, std::max(own, least_share * measure));
+}
+
+double work_error(const Scene& scene, const State& start, const Work& before, const Work& after, double recovery) {
   const double truncation = excess_work(after) - excess_work(before) - recovery;
   const double created = std::max(0.0, before.impact_loss - after.impact_loss);
-  const double own = usual_steps * (lost(after) - lost(before));
-  const double counted = std::min(measure, std::max(own, least_share * measure));
+  const double counted = measure_of_error(scene, start, before, after);
   return counted > 0 ? (std::abs(truncation) + created) / counted : 0;
 }
 

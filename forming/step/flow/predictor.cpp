@@ -44,12 +44,12 @@ void keep_on_symmetry(const core::Mesh& mesh, Eigen::VectorXd& velocity) {
 Eigen::VectorXd predicted_temperature(const Scene& scene, const State& state, double dt) {
   const Eigen::VectorXd& now = state.glass.temperature;
   if (state.glass.temperature_rate.size() == 0) return now;
-  const double most = scene.accuracy.temperature_per_step;
   const auto rate = state.glass.temperature_rate.array();  // in the middle of the last step
   const auto slowing = state.glass.temperature_slowing.array();
   const Eigen::ArrayXd grown = dt * slowing / (1 + 0.5 * state.last_step * slowing);
   const Eigen::ArrayXd change = (grown > 1e-8).select(rate * grown.log1p() / slowing, dt * rate);
-  return now + change.cwiseMin(most).cwiseMax(-most).matrix();
+  // Nothing cools below the coldest of all.
+  return (now.array() + change).cwiseMax(now.array().cwiseMin(temperature_range(scene).min_temperature)).matrix();
 }
 
 Eigen::VectorXd predicted_velocity(const State& state, double ahead) {

@@ -104,11 +104,10 @@ struct Crossing : RunObserver {
 };
 
 /// By how much the end of the first stage is off where it ends by that temperature, relative to a run without the
-/// condition by steps a tenth as long.
+/// condition by steps a thirtieth as long.
 double error_of_end(Scene scene, double limit) {
   Scene fine = scene;
-  fine.accuracy.max_step *= 0.1;
-  fine.accuracy.temperature_per_step *= 0.1;
+  fine.accuracy.max_step *= 0.03;
   fine.accuracy.temperature_tolerance *= 0.1;
   Crossing crossing(limit);
   run(fine, {&crossing});

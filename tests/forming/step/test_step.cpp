@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "../pot_scene.hpp"
+#include "../scene_parts.hpp"
 #include "../scene_text.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/files/history.hpp"
@@ -176,13 +177,13 @@ TEST_F(Pot, a_failed_step_is_a_value_and_leaves_the_state_alone) {
 
 TEST_F(Pot, a_change_of_temperature_repeats_a_step_but_not_one_near_the_shortest) {
   StepReport report;
-  report.temperature_change = 10 * scene.accuracy.temperature_per_step;
+  report.unforeseen_error = 100 * scene.accuracy.work_per_step;
   report.dt = 100 * scene.accuracy.min_step;
   EXPECT_TRUE(rejected_by_error_control(scene, report));
   report.dt = 5 * scene.accuracy.min_step;
   EXPECT_FALSE(rejected_by_error_control(scene, report)) << "a thin cell where a fold has closed evens out at once";
   report.strain = 10 * scene.accuracy.strain_per_step;
-  report.temperature_change = 0;
+  report.unforeseen_error = 0;
   EXPECT_TRUE(rejected_by_error_control(scene, report)) << "whatever else it changes";
 }
 
@@ -215,6 +216,54 @@ TEST(StepControl, a_load_that_falls_within_a_step_is_followed_by_several) {
   EXPECT_LE(clip_step_to_event(scene, state, 0.2), 1.001 * share * 0.2);
   state.stage_time = 0.2;
   EXPECT_EQ(clip_step_to_event(scene, state, 0.2), 0.2) << "a load that stays limits nothing";
+}
+
+/// A hot ball that a ram presses flat on a plate: place after place of it lands and chills at once.
+std::string ball_between_plates(const std::string& numerics) {
+  return R"(case = "ball"
+geometry = "axisymmetric"
+interface = [{ tools = ["plate", "ram"], law = "constant", h = "5e4 W/m2/K" }]
+stage = [{ name = "press", duration = "0.3 s", tools = ["plate", "ram"], motion.ram = { force = "-100 N", speed_limit = "50 mm/s" } }]
+)" + iron +
+         container_glass("1.3 W/m/K") +
+         R"([glass]
+material = "glass"
+temperature = "1150 degC"
+boundary = [
+  { name = "surface", condition = "contact", path = ["arc centre (0, 10) mm radius 10 mm from -90 deg to 90 deg"] },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" } ]
+[[tool]]
+name = "plate"
+material = "iron"
+temperature = "460 degC"
+friction = { law = "navier", coefficient = "1e6 Pa.s/m" }
+boundary = [
+  { name = "top", condition = "contact", path = "(30, 0) (0, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -10) mm" },
+  { name = "outer", condition = "insulated", path = "(30, -10) (30, 0) mm" } ]
+[[tool]]
+name = "ram"
+material = "iron"
+temperature = "460 degC"
+friction = { law = "navier", coefficient = "1e6 Pa.s/m" }
+boundary = [
+  { name = "face", condition = "contact", path = "(0, 20) (30, 20) mm" },
+  { name = "outer", condition = "insulated", path = "(30, 30) (0, 30) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 20) mm" } ]
+[numerics]
+)" + numerics;
+}
+
+TEST(StepControl, glass_that_lands_takes_steps_by_the_error_that_its_cooling_makes) {
+  const auto pressed = [](const std::string& numerics) {
+    const auto outcome = run(scene_of(ball_between_plates(numerics)), {}, {});
+    EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
+    return outcome.state.totals;
+  };
+  const Totals usual = pressed(""), fine = pressed("work_per_step = 1e-6\n");
+  std::printf("%d steps, heat %.2f J; %d, %.2f J\n", usual.steps, usual.to_tools, fine.steps, fine.to_tools);
+  EXPECT_LT(usual.steps, 200) << "369 by 40 K of the surface in a step";
+  EXPECT_NEAR(usual.to_tools / fine.to_tools, 1, 0.01);
 }
 
 TEST_F(Pot, glass_above_the_tools_is_told_how_far_it_would_fall_onto_which) {

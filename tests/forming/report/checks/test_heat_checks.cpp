@@ -188,7 +188,7 @@ TEST(Checks, glass_that_its_own_work_keeps_warm_is_told_where_the_steps_do_not_f
     return std::pair{*check, outcome.state.totals.work.tools};
   };
   const auto [fine, work] = coupling("max_step = \"2 ms\"");
-  const auto [coarse, wrong_work] = coupling("max_step = \"50 ms\"\ntemperature_per_step = \"1000 K\"");
+  const auto [coarse, wrong_work] = coupling("max_step = \"50 ms\"\nwork_per_step = 1e6");
   EXPECT_EQ(fine.verdict(), Verdict::inside);
   EXPECT_GT(std::abs(wrong_work / work - 1), 0.02);
   EXPECT_NE(coarse.verdict(), Verdict::inside);
