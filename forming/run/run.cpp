@@ -54,7 +54,7 @@ bool advance_stage(RunInProgress& run) {
     if (!advance(run, step)) return false;
     update_motion(run.scene, state);
     report_step(run, step);
-    if (is_too_thin(run) || is_stalled(run, watch)) return false;
+    if (is_too_thin(run) || is_stalled(run, watch) || has_outgrown_tool(run)) return false;
     offer_checkpoint(run, false);
     if (stop_requested(run)) return false;
   }

@@ -216,15 +216,16 @@ bool remesh_glass(RunInProgress& run, RemeshReason why) {
   return !must;
 }
 
+bool has_outgrown_tool(RunInProgress& run) {
+  const std::string outgrown = gravity_alone_moves(run) ? outgrown_tool(run.scene, run.outcome.state) : "";
+  if (!outgrown.empty()) run.outcome.facts.reason = outgrown;
+  return !outgrown.empty();
+}
+
 bool advance(RunInProgress& run, AcceptedStep& step) {
   const Scene& scene = run.scene;
   if (const std::string falling = falling_glass(run); !falling.empty()) {
     run.outcome.facts.reason = falling;
-    return false;
-  }
-  if (const std::string outgrown = gravity_alone_moves(run) ? outgrown_tool(scene, run.outcome.state) : "";
-      !outgrown.empty()) {
-    run.outcome.facts.reason = outgrown;
     return false;
   }
   if (scene.has_flow() && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality))

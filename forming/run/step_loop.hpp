@@ -14,6 +14,9 @@ struct AcceptedStep {
 /// may be what limits the step. False when the smallest step failed or the run was stopped; the facts say why.
 bool advance(RunInProgress& run, AcceptedStep& step);
 
+/// Whether glass that hangs has become longer or wider than a tool of the next stage; the facts say so.
+bool has_outgrown_tool(RunInProgress& run);
+
 /// Gives the present state a new glass mesh. False when none could be made and the old one cannot go on; the facts say
 /// why.
 bool remesh_glass(RunInProgress& run, RemeshReason why);
