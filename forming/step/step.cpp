@@ -223,7 +223,7 @@ void note_unforeseen(const StepStart& start, StepResult& result) {
   const auto &before = start.state, &after = result.state;
   const double work =
       unforeseen_work(start.scene.glass.flow->viscosity, before.glass.mesh, result.dissipation, result.flow_temperature,
-                      before.glass.temperature, after.glass.temperature, start.dt);
+                      before.glass.temperature, result.at_heat.glass.temperature, start.dt);
   const double measure = measure_of_error(start.scene, before, before.totals.work, after.totals.work);
   result.report.unforeseen_work = work;
   result.report.unforeseen_error = measure > 0 ? work / measure : 0;

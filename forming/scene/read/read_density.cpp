@@ -90,16 +90,8 @@ Density read_expansion(const CaseNode& node) {
 }  // namespace
 
 Density read_density(const CaseTable& material) {
-  const CaseNode *expansion = material.find("expansion"), *density = material.find("density");
-  const bool named = density && density->kind == CaseNode::Kind::text && density->text == "expansion";
-  if (named && !expansion)
-    core::refuse(*density,
-                 "\"expansion\" was found and the material has no such key, allowed is a density, a table "
-                 "over temperature, or the key expansion");
-  if (expansion) {
-    const Density law = read_expansion(*expansion);
-    if (named || !density) return law;
-  }
+  const CaseNode* expansion = material.find("expansion");
+  if (expansion && !material.find("density")) return read_expansion(*expansion);
   const CaseNode& given = material.get("density");
   if (given.kind == CaseNode::Kind::list) return read_points(given);
   return {core::positive(given, dimension::density)};
