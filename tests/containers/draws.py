@@ -149,7 +149,7 @@ def pressing(draw, start, end, force, area, volume):
     """Stages of the press as (name, duration, keys as TOML): by a force, or by a position curve that leaves some of the
     volume free, and then by the force."""
     push = f'motion.plunger = {{ force = "{number(force)} kN", speed_limit = "{whole(draw, 120, 250)} mm/s" }}'
-    rest = 'end_speed = "1 mm/s"'
+    rest = 'end_speed = "5 mm/s"'
     if draw.random() < 0.7:
         return [("press", rounded(draw, 1.5, 2.5), [push, rest])]
     near = end - math.copysign(rounded(draw, 0.01, 0.03, 3) * volume / area, end - start)
