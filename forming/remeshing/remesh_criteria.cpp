@@ -22,21 +22,6 @@ namespace {
 /// Smallest edge length of the mesh over numerics.skin_size.
 constexpr double min_edge_fraction = 0.5;
 
-/// Edge length in each cell, m, at which the recovered error of the temperature gradient and of the strain rate equals
-/// numerics.solution_error (Zienkiewicz and Zhu 1992).
-std::vector<double> solution_target_sizes(const Scene& scene, const State& state) {
-  const core::Mesh& mesh = state.glass.mesh;
-  std::vector<double> target_sizes(mesh.cells().size(), std::numeric_limits<double>::infinity());
-  const auto refine = [&](const remesh::DerivativeError& error) {
-    const Eigen::VectorXd sizes = remesh::equidistributing_sizes(mesh, error, scene.accuracy.solution_error);
-    for (std::size_t cell = 0; cell < target_sizes.size(); ++cell)
-      target_sizes[cell] = std::min(target_sizes[cell], sizes[cell]);
-  };
-  if (scene.has_heat()) refine(remesh::gradient_error(mesh, scene.geometry, state.glass.temperature));
-  if (state.last_step > 0) refine(remesh::rate_error(mesh, scene.geometry, state.glass.velocity));
-  return target_sizes;
-}
-
 /// Makes the sizes, m, by cell, no larger than the temperatures at the start want them; none given: any.
 void add_start_field_sizes(const Scene& scene, const core::Mesh& mesh, std::vector<double>& sizes) {
   const PlacedTemperature function = scene.has_heat() ? start_function(scene, glass_body) : PlacedTemperature{};
@@ -144,7 +129,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
   result.surface_size = accuracy.surface_size;
   result.skin_size = accuracy.skin_size;
   result.elements_across = accuracy.elements_across;
-  result.growth = accuracy.glass_growth;
+  result.growth = edge_growth;
   result.min_size = min_edge_fraction * accuracy.skin_size;
   result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   result.contact.assign(mesh.nodes.size(), false);
@@ -173,7 +158,6 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
     const Point out = project(x);
     return (out - x).norm() > depth ? out : x;
   };
-  if (accuracy.solution_error > 0) result.target_cell_size = solution_target_sizes(scene, state);
   if (state.totals.steps == 0) add_start_field_sizes(scene, mesh, result.target_cell_size);
   return result;
 }

@@ -95,6 +95,8 @@ std::vector<ModelUse> models_of(const Scene& scene) {
   if (!scene.has_heat()) return models;
   models.push_back({"radiation", model_name(scene.glass.thermal->radiation), "transfer"});
   add_contact(scene, models);
+  if (scene.has_flow())
+    models.push_back({"density", scene.glass.relative_density().x.empty() ? "constant" : "expansion", "expansion"});
   if (scene.geometry == core::Geometry::axisymmetric && (scene.has_light() || scene.glass.emissivity > 0))
     models.push_back({"enclosure", scene.enclosure ? "true" : "false", "true"});
   return models;

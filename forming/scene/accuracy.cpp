@@ -68,9 +68,7 @@ const std::vector<Setting>& settings() {
       {"skin_size", &A::skin_size, dimension::length, "mm", 1e-3, 1, {0.7e-3, 0.4e-3, 0.22e-3}, 1e-7, 0.1},
       {"viscosity_per_edge", &A::viscosity_per_edge, dimension::none, "", 1, 1, {5, 2.9, 1.6}, 0.01, 1e6},
       {"elements_across", &A::elements_across, dimension::none, "", 1, -0.6, {2, 3, 4.5}, 0.5, 100},
-      {"glass_growth", &A::glass_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
       {"tool_contact_size", &A::tool_contact_size, dimension::length, "mm", 1e-3, 1, {3e-3, 2e-3, 1.2e-3}, 1e-7, 0.5},
-      {"tool_growth", &A::tool_growth, dimension::none, "", 1, 0, {0.5, 0.5, 0.5}, 0.01, 5},
       {"strain_per_step", &A::strain_per_step, dimension::none, "", 1, 1, {0.3, 0.15, 0.075}, 1e-4, 2},
       {"landing_per_step", &A::landing_per_step, dimension::none, "", 1, 0, {0.7, 0.7, 0.7}, 0.01, 1e6},
       {"work_per_step", &A::work_per_step, dimension::none, "", 1, 3, {6e-5, 1.5e-5, 3.3e-6}, 1e-9, 1e6},
@@ -106,7 +104,6 @@ const std::vector<Setting>& settings() {
        1e-10,
        0.01},
       {"max_cells", &A::max_cells, dimension::none, "", 1, -2, {2e4, 3e4, 4.5e4}, 100, 1e7},
-      {"solution_error", &A::solution_error, dimension::none, "", 1, 2, {0, 0, 0}, 0, 1},
       {"quality_floor", &A::quality_floor, dimension::none, "", 1, 0, {0.04, 0.1, 0.1}, 1e-4, 0.9}};
   return all;
 }

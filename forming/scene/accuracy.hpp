@@ -16,9 +16,7 @@ struct Accuracy {
   double skin_size;           ///< smallest edge asked for where hot glass meets a cold tool, m
   double viscosity_per_edge;  ///< change of the logarithm of the viscosity over an edge of the glass surface, at most
   double elements_across;     ///< elements across a glass wall
-  double glass_growth;        ///< growth of the glass edge length with the distance from the surface
   double tool_contact_size;   ///< edge on a tool's contact boundaries, m
-  double tool_growth;         ///< growth of the edge with the distance from there
   double strain_per_step;     ///< rate of deformation times step, seen by 2 % of the glass
   double landing_per_step;    ///< length of surface that comes into contact in one step, over surface_size
   double work_per_step;       ///< largest work_error of a step
@@ -29,13 +27,15 @@ struct Accuracy {
   double initial_step;           ///< of each stage, s
   double min_step;               ///< s; a run that needs less stops
   double max_cells;              ///< of the glass, about: sizes that ask for more grow
-  double solution_error;    ///< relative, of gradient and rate of deformation, that a new glass mesh is to keep; 0: any
   double quality_floor;     ///< remesh below this scaled inverse condition number
   double motion_tolerance;  ///< a coupling iteration whose velocity moves the mid-step mesh by more than this is
                             ///< repeated, m
   int temperature_order;    ///< of the temperature in a cell: 2, or 1: linear between the vertices
   int passes;               ///< flow and heat in a step, so many times
 };
+
+/// Growth of the edge with the distance from the surface of the glass or the contact boundaries of a tool.
+inline constexpr double edge_growth = 0.5;
 
 /// A setting of the accuracy level: its key, how it is shown, and its values at the levels 0, 1, 2.
 struct Setting {

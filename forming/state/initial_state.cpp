@@ -100,7 +100,7 @@ GlassState initial_glass(const Scene& scene) {
   const double factor = edge_factor(scene);
   const double wanted = scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size;
   glass.mesh =
-      mesh_of(scene, glass_body, inner_glass_size * factor * accuracy.surface_size, wanted, accuracy.glass_growth);
+      mesh_of(scene, glass_body, inner_glass_size * factor * accuracy.surface_size, wanted, edge_growth);
   for_each_glass_field([&](const auto& field) {
     if (!exists(scene, field.needs)) return;
     const auto size = field.components * place_count(field.location, glass.mesh);
@@ -119,7 +119,7 @@ ToolState initial_tool(const Scene& scene, Index index) {
   ToolState state;
   const double factor = edge_factor(scene);
   state.mesh = mesh_of(scene, body_of_tool(index), core::tolerance::tool_edge * core::size(scene.glass.profile),
-                       factor * accuracy.tool_contact_size, accuracy.tool_growth);
+                       factor * accuracy.tool_contact_size, edge_growth);
   if (tool.thermal) state.temperature = start_temperature(scene, body_of_tool(index), state.mesh);
   state.heat_through.assign(state.mesh.boundaries().size(), 0);
   state.offset = tool.position;

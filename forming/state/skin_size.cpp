@@ -46,8 +46,7 @@ thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell) {
   const Body& data = body_of(scene, body);
   const thermal::Material& material = *data.thermal;
   const double temperature = data.initial_temperature;
-  double growth =
-      data.mesh.growth.value_or(body == glass_body ? scene.accuracy.glass_growth : scene.accuracy.tool_growth);
+  double growth = data.mesh.growth.value_or(edge_growth);
   if (data.mesh.mapped) growth = std::max(growth, growth_of(*data.mesh.mapped));
   return {thermal::conductivity(material, temperature, 0), material.density * material.heat_capacity(temperature),
           first_cell, growth, scene.accuracy.temperature_order};

@@ -23,7 +23,6 @@ constexpr int terms = 6;           ///< of a complete quadratic polynomial
 constexpr std::size_t fewest = 5;  ///< cells of a patch; a smaller one is extended by the neighbouring cells
 /// A derivative counts as zero where the field changes by less than this part of its largest value over the body.
 constexpr double rounding = 1e-9;
-constexpr double derivative_order = 2;  ///< order of convergence of the derivative with quadratic cells
 
 template <int n>
 using Values = Eigen::Matrix<double, n, 1>;
@@ -274,12 +273,6 @@ struct Rate {
   }
 };
 
-/// Edge of the equilateral triangle with the area of a cell's chords.
-double edge_of(const Mesh& mesh, const std::array<Index, 6>& cell) {
-  const Point &a = mesh.nodes[cell[0]], u = mesh.nodes[cell[1]] - a, v = mesh.nodes[cell[2]] - a;
-  return std::sqrt(2 / std::sqrt(3.0) * std::abs(u[0] * v[1] - u[1] * v[0]));
-}
-
 }  // namespace
 
 DerivativeError gradient_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal) {
@@ -288,20 +281,6 @@ DerivativeError gradient_error(const Mesh& mesh, core::Geometry geometry, const 
 
 DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity) {
   return estimate<4>(mesh, geometry, velocity.lpNorm<Eigen::Infinity>(), Rate{geometry, velocity});
-}
-
-Eigen::VectorXd equidistributing_sizes(const Mesh& mesh, const DerivativeError& error, double target) {
-  // In a finer mesh the error of each cell is proportional to h^(p + 1), and the number of cells to 1/h^2.
-  constexpr double p = derivative_order;
-  const double sum = error.cell.array().pow(2 / (p + 1)).sum();
-  const double whole = target * error.derivative;
-  Eigen::VectorXd sizes = Eigen::VectorXd::Constant(mesh.cell_count(), std::numeric_limits<double>::infinity());
-  if (!(sum > 0 && whole > 0)) return sizes;
-  const double each = std::pow(whole * whole / sum, (p + 1) / (2 * p));
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    if (error.cell[cell] > 0)
-      sizes[cell] = edge_of(mesh, mesh.cells()[cell]) * std::pow(each / error.cell[cell], 1 / (p + 1));
-  return sizes;
 }
 
 }  // namespace parison::remesh

@@ -20,9 +20,4 @@ DerivativeError gradient_error(const core::Mesh& mesh, core::Geometry geometry, 
 /// Error of the rate of deformation tensor of nodal velocities, core::dim values for each node.
 DerivativeError rate_error(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity);
 
-/// Edge length for each cell, m, with which a new mesh reaches the relative error `target` with the fewest cells: equal
-/// errors in all cells (L.-Y. Li, P. Bettess, Commun. Numer. Meth. Engng 11 (1995) 911-915). Infinite in cells without
-/// an error.
-Eigen::VectorXd equidistributing_sizes(const core::Mesh& mesh, const DerivativeError& error, double target);
-
 }  // namespace parison::remesh

@@ -34,15 +34,6 @@ Field smooth() {
           [](const Point& x) { return Point(std::exp(x[1]) * Point(3 * std::cos(3 * x[0]), std::sin(3 * x[0]))); }};
 }
 
-/// Steps from -1 to 1 across the circle of the given radius about the origin, within about `width`.
-Field layer(double radius, double width) {
-  return {[=](const Point& x) { return std::tanh((x.norm() - radius) / width); },
-          [=](const Point& x) {
-            const double c = std::cosh((x.norm() - radius) / width);
-            return Point(x / (x.norm() * width * c * c));
-          }};
-}
-
 /// The field that Galerkin's method finds for a Poisson equation with this solution, exact on the boundary.
 Eigen::VectorXd galerkin(const Mesh& mesh, Geometry geometry, const Field& field) {
   Eigen::VectorXd solution(mesh.node_count()), load = Eigen::VectorXd::Zero(mesh.node_count());
@@ -159,82 +150,6 @@ TEST(Recovery, a_rotation_has_no_rate_of_deformation_and_a_squeeze_its_own) {
   const DerivativeError error = rate_error(mesh, Geometry::axisymmetric, squeeze);
   EXPECT_LT(error.relative(), 1e-9);
   EXPECT_NEAR(error.derivative / std::sqrt(6 * core::volume(mesh, Geometry::axisymmetric)), 1, 1e-9);
-}
-
-Criteria wide_criteria(const Mesh& mesh) {
-  Criteria criteria{Geometry::planar, 0.1, 0.1, 0.5, 0.5, 1e-3, {}, {}, {}, {}};
-  criteria.straight_boundaries.assign(mesh.boundaries().size(), false);
-  criteria.contact.assign(mesh.nodes.size(), false);
-  return criteria;
-}
-
-struct Adapted {
-  Mesh mesh;
-  Eigen::VectorXd error;  ///< true, per cell
-  double relative = 0;    ///< of the body, true
-  /// Share of the cells that hold half of the squared error.
-  double half() const {
-    std::vector<double> squares(error.size());
-    for (Index i = 0; i < error.size(); ++i) squares[i] = error[i] * error[i];
-    std::sort(squares.rbegin(), squares.rend());
-    double left = 0.5 * error.squaredNorm(), count = 0;
-    for (; left > 0; ++count) left -= squares[static_cast<std::size_t>(count)];
-    return count / static_cast<double>(squares.size());
-  }
-};
-
-Adapted judged(Mesh mesh, const Field& field) {
-  Adapted result{std::move(mesh), {}};
-  const Eigen::VectorXd nodal = galerkin(result.mesh, Geometry::planar, field);
-  result.error = true_error(result.mesh, Geometry::planar, nodal, field);
-  result.relative = result.error.norm() / gradient_error(result.mesh, Geometry::planar, nodal).derivative;
-  return result;
-}
-
-/// From a uniform mesh, by so many remeshes.
-Adapted adapted(const Field& field, double wanted, int times, double max_cells = 1e6) {
-  Mesh mesh = quarter_ring(0.1);
-  for (int i = 0; i < times; ++i) {
-    Criteria criteria = wide_criteria(mesh);
-    criteria.max_cells = max_cells;
-    const auto error = gradient_error(mesh, Geometry::planar, galerkin(mesh, Geometry::planar, field));
-    const Eigen::VectorXd sizes = equidistributing_sizes(mesh, error, wanted);
-    criteria.target_cell_size.assign(sizes.begin(), sizes.end());
-    const Remeshed made = remesh_glass(mesh, criteria);
-    EXPECT_TRUE(made.ok) << made.reason;
-    mesh = made.mesh;
-  }
-  return judged(std::move(mesh), field);
-}
-
-TEST(Recovery, two_remeshes_reach_the_wanted_error_of_a_layer_with_a_seventh_of_the_cells_of_even_ones) {
-  const Field field = layer(1, 0.02);
-  const Adapted start = judged(quarter_ring(0.1), field), end = adapted(field, 0.02, 2),
-                even = judged(quarter_ring(0.0125), field);
-  EXPECT_GT(start.relative, 0.5);
-  EXPECT_LT(end.relative, 0.02);
-  EXPECT_GT(end.relative, 0.01);
-  EXPECT_LE(end.relative, 1.01 * even.relative);
-  EXPECT_LT(7 * end.mesh.cell_count(), even.mesh.cell_count());
-  EXPECT_GT(end.half(), 10 * even.half());
-  EXPECT_GT(end.half(), 4 * start.half());
-}
-
-TEST(Recovery, within_a_node_budget_the_error_of_a_layer_is_a_fifth_of_that_of_even_cells) {
-  const Field field = layer(1, 0.02);
-  const Adapted held = adapted(field, 0.02, 2, 1000), even = judged(quarter_ring(0.0575), field);
-  EXPECT_LT(held.mesh.cell_count(), even.mesh.cell_count() + 50);
-  EXPECT_LT(5 * held.relative, even.relative);
-}
-
-TEST(Recovery, a_field_that_changes_by_rounding_only_asks_for_no_cells) {
-  const Mesh mesh = quarter_ring(0.03);
-  Eigen::VectorXd warm = Eigen::VectorXd::Constant(mesh.node_count(), 1423.0);
-  Eigen::VectorXd falling = Eigen::VectorXd::Zero(2 * mesh.node_count());
-  for (Index n = 0; n < mesh.node_count(); ++n) warm[n] += 1e-12 * n, falling[2 * n + 1] = -0.3 - 1e-16 * n;
-  for (const DerivativeError& error :
-       {gradient_error(mesh, Geometry::planar, warm), rate_error(mesh, Geometry::planar, falling)})
-    EXPECT_EQ(equidistributing_sizes(mesh, error, 0.1).minCoeff(), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

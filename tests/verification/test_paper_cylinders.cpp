@@ -51,8 +51,8 @@ Scene cylinders(const Meshes& meshes) {
     steel.mesh.mapped->along_first = meshes.steel;
   } else {
     const auto& a = scene.accuracy;
-    glass.mesh = {4 * static_edge_factor * a.surface_size, static_edge_factor * a.skin_size, a.glass_growth, {}};
-    steel.mesh = {8e-3, static_edge_factor * a.tool_contact_size, a.tool_growth, {}};
+    glass.mesh = {4 * static_edge_factor * a.surface_size, static_edge_factor * a.skin_size, edge_growth, {}};
+    steel.mesh = {8e-3, static_edge_factor * a.tool_contact_size, edge_growth, {}};
   }
   scene.probes.clear();
   if (meshes.steel_is_slave) std::swap(glass, steel);

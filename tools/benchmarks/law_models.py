@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What poorer models of contact and of light between surfaces are off by against the best: the figures of the model column."""
+"""What poorer models of contact, density and light between surfaces are off by against the best: the figures of the model column."""
 import json
 import math
+import tomllib
 
 from benchmarks.calibration import FILE, measured_by, save
 from benchmarks.common import ROOT, Figure, build, parison, read_summary
@@ -25,6 +26,15 @@ def run(case, accuracy, *sets):
 
 def heat(summary):
     return sum(quantity["value"] for name, quantity in summary["quantities"].items() if name.startswith("heat_"))
+
+
+def drawn_density(case):
+    """kg/m3 of the gob at its temperature."""
+    glass = tomllib.loads((ROOT / "cases" / case / "case.toml").read_text())["glass"]
+    law = {key: float(value.split()[0]) for key, value in
+           tomllib.loads((ROOT / "cases/materials.toml").read_text())[glass["material"]]["expansion"].items()}
+    above = float(glass["temperature"].split()[0]) - law["transformation"]
+    return law["cold_density"] * math.exp(-3 * (law["solid"] * (law["transformation"] - 20) + law["liquid"] * above))
 
 
 def constant(case, accuracy, reference):
@@ -52,6 +62,7 @@ def constant(case, accuracy, reference):
 # Of each part the poorer models: what makes a run of a case by it, whose reference is the case itself.
 PARTS = {
     "contact": {"constant": constant, "gap": lambda case, accuracy, _: run(case, accuracy, with_law(ROOT / "cases" / case, law="gap"))},
+    "density": {"constant": lambda case, accuracy, _: run(case, accuracy, f"material.flint.density={drawn_density(case):.0f} kg/m3")},
     "enclosure": {"false": lambda case, accuracy, _: run(case, accuracy, "enclosure=false")},
 }
 

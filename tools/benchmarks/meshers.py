@@ -22,7 +22,7 @@ MESHERS = {
 }
 IN_RUNS = ("gmsh", "CGAL kept smoothed", "CGAL kept smoothed more")
 SETTINGS = ("max_step=0.1 s", "surface_size=1.5 mm", "surface_size=1.7 mm", "strain_per_step=0.29", "strain_per_step=0.27",
-            "skin_size=0.66 mm", "skin_size=0.74 mm", "glass_growth=0.48", "elements_across=2.2", "work_per_step=5.4e-05")
+            "skin_size=0.66 mm", "skin_size=0.74 mm", "elements_across=2.2", "work_per_step=5.4e-05")
 # A disc of 5 mm sticks to a plate and a ram that presses it to a film of 0.8 mm.
 FILM = """
 case = "film"

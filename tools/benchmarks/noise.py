@@ -18,26 +18,36 @@ def root_mean_square(values):
     return math.sqrt(sum(v * v for v in values) / len(values)) if values else math.nan
 
 
+def within_bars(summary, changed):
+    """Of each quantity that has an error bar whether a run of the changed case lies within it."""
+    return [abs(changed["quantities"][name]["value"] - quantity["value"]) <= quantity["error"] * quantity["scale"]
+            for name, quantity in summary["quantities"].items()
+            if quantity.get("error") is not None and name in changed["quantities"]]
+
+
 def scatter(case, accuracy):
-    """Root mean square over places and variants, %, by kind of change and of all, and that of the worst place."""
-    _, folder = parison(case, accuracy)
+    """Root mean square over places and variants, %, by kind of change and of all, that of the worst place, and the share of the quantities within the
+    error bars of the unchanged run, %."""
+    _, folder = parison(case, accuracy, "--error-bars")
     summary = read_summary(folder)
     base = summary["thickness_profile_mm"]
-    by_kind = {}
+    by_kind, within = {}, []
     for kind, changed, overrides in variants(case, summary["numerics"], lambda: new_path("case")):
         _, folder = parison(changed, accuracy, *overrides)
         by_kind.setdefault(kind, []).append(shares(read_summary(folder)["thickness_profile_mm"], base))
+        within += within_bars(summary, read_summary(folder))
     # The unchanged run is one draw among them: two draws differ by the root of two scatters.
     every = [profile for profiles in by_kind.values() for profile in profiles]
     kinds = {kind: 100 * root_mean_square([v for p in profiles for v in p]) / math.sqrt(2) for kind, profiles in by_kind.items()}
     return kinds, 100 * root_mean_square([v for p in every for v in p]) / math.sqrt(2), \
-        100 * max(root_mean_square(place) for place in zip(*every)) / math.sqrt(2)
+        100 * max(root_mean_square(place) for place in zip(*every)) / math.sqrt(2), 100 * sum(within) / len(within)
 
 
 def figures(case, accuracy, key, what, target=None):
-    kinds, everywhere, worst = scatter(case, accuracy)
+    kinds, everywhere, worst, within = scatter(case, accuracy)
     yield Figure(key, f"scatter of the wall of {what}, place by place, {accuracy}", everywhere, target, unit="%")
     yield Figure(f"{key}.worst", f"  at the worst place of {what}", worst, unit="%")
+    yield Figure(f"{key}.within_bars", f"  quantities of {what} within the error bars of the unchanged run", within, 95, unit="%", least=True)
     for kind, found in kinds.items():
         yield Figure(f"{key}/{kind}", f"  {kind}", found, unit="%")
 

@@ -199,8 +199,7 @@ bool is_unused(const Scene& scene, const std::string& key) {
   const auto maps = [](const Tool& tool) { return tool.mesh.mapped.has_value(); };
   if (key.rfind("tool_", 0) == 0)
     return !scene.tools.empty() && std::all_of(scene.tools.begin(), scene.tools.end(), maps);
-  const bool of_glass =
-      key == "surface_size" || key == "skin_size" || key == "elements_across" || key == "glass_growth";
+  const bool of_glass = key == "surface_size" || key == "skin_size" || key == "elements_across";
   return of_glass && scene.glass.mesh.mapped && !scene.has_flow();
 }
 

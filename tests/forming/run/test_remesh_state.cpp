@@ -170,18 +170,5 @@ TEST_F(RemeshState, a_corner_of_a_tool_that_another_tool_covers_asks_for_no_vert
   }
 }
 
-TEST_F(RemeshState, a_wanted_solution_error_halves_that_of_the_temperature_gradient_within_the_budget_of_cells) {
-  const auto error_of = [&](const State& state) {
-    return remesh::gradient_error(state.glass.mesh, scene.geometry, state.glass.temperature).relative();
-  };
-  const State plain = pressed(""), wanted = pressed("solution_error = 0.1\n");
-  EXPECT_LT(error_of(wanted), 0.5 * error_of(plain));
-  EXPECT_EQ(plain.totals.remeshing.coarsening_factor, 1);
-  const State held = pressed("solution_error = 0.1\nmax_cells = 400\n");
-  EXPECT_GT(held.totals.remeshing.coarsening_factor, 1.1);
-  EXPECT_LT(held.glass.mesh.cell_count(), 1.25 * 400);
-  EXPECT_LT(error_of(held), 0.75 * error_of(plain));
-}
-
 }  // namespace
 }  // namespace parison::forming
