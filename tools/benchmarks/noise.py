@@ -20,7 +20,7 @@ def root_mean_square(values):
 
 def within_bars(summary, changed):
     """Of each quantity that has an error bar whether a run of the changed case lies within it."""
-    return [abs(changed["quantities"][name]["value"] - quantity["value"]) <= quantity["error"] * quantity["scale"]
+    return [abs(changed["quantities"][name]["value"] - quantity["value"]) <= quantity["error"]
             for name, quantity in summary["quantities"].items()
             if quantity.get("error") is not None and name in changed["quantities"]]
 
