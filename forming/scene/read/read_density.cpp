@@ -66,7 +66,7 @@ double read_coefficient(const CaseNode& node) {
 /// Density whose logarithm is straight below and above the transformation, by points between which that makes no
 /// difference.
 Density read_expansion(const CaseNode& node) {
-  constexpr double lowest = 100, highest = 2500, spacing = 5;  // K
+  constexpr double lowest = 100, highest = 6000, spacing = 5;  // K
   const CaseTable table(node, {"cold_density", "solid", "liquid", "transformation"});
   const double cold = core::positive(table.get("cold_density"), dimension::density);
   const double solid = read_coefficient(table.get("solid")), liquid = read_coefficient(table.get("liquid"));

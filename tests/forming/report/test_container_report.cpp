@@ -136,7 +136,8 @@ TEST(ContainerReport, a_wall_whose_capacity_cannot_be_computed_is_told_why) {
 }
 
 TEST(ContainerReport, the_drawn_volume_at_the_fill_level_is_given_where_the_formed_one_differs) {
-  const Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/jar", "draft", {"output.fill_level=20 mm"});
+  const Scene scene = read_scene(std::string(PARISON_SOURCE_DIR) + "/cases/jar", "draft",
+                                 {"output.fill_level=20 mm", "material.flint.density=2400 kg/m3"});
   const auto plan = plan_container(scene);
   ASSERT_TRUE(plan->capacity && plan->filled);
   State state = initial_state(scene);

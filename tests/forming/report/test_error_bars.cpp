@@ -164,25 +164,26 @@ std::string models_of_scene(const std::string& from, const std::string& to) {
 }
 
 TEST(Models, a_scene_has_those_of_its_parts_and_contact_is_by_the_law_of_most_tools) {
-  EXPECT_EQ(models_of_scene("", ""), "radiation none (best: transfer), contact constant (best: pressure-viscosity)");
+  const std::string density = ", density constant (best: expansion)";
+  EXPECT_EQ(models_of_scene("", ""), "radiation none (best: transfer), contact constant (best: pressure-viscosity)" + density);
   EXPECT_EQ(models_of_scene("law = \"constant\"\nh = \"2000 W/m2/K\"", "law = \"gap\""),
-            "radiation none (best: transfer), contact gap (best: pressure-viscosity)");
+            "radiation none (best: transfer), contact gap (best: pressure-viscosity)" + density);
   const std::string followed =
       "law = \"pressure-viscosity\"\nh0 = \"500 W/m2/K\"\nh1 = \"20000 W/m2/K\"\np_ref = \"0.2 MPa\"\n"
       "eta_ref = \"1e3 Pa.s\"\na = 1\nb = 0.25";
   EXPECT_EQ(models_of_scene("law = \"constant\"\nh = \"2000 W/m2/K\"", followed),
-            "radiation none (best: transfer), contact pressure-viscosity");
+            "radiation none (best: transfer), contact pressure-viscosity" + density);
   EXPECT_EQ(
       models_of_scene("[material.soft]\n",
                       "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n"
                       "[material.soft]\nemissivity = 0.9\n"),
-      "radiation none (best: transfer), contact constant (best: pressure-viscosity), enclosure false (best: true)");
+      "radiation none (best: transfer), contact constant (best: pressure-viscosity)" + density + ", enclosure false (best: true)");
 }
 
-TEST(Models, each_poorer_model_of_contact_and_enclosure_has_a_figure_of_every_kind) {
+TEST(Models, each_poorer_model_has_a_figure_of_every_kind) {
   for (const ModelUse& poorer :
        {ModelUse{"contact", "constant", "pressure-viscosity"}, ModelUse{"contact", "gap", "pressure-viscosity"},
-        ModelUse{"enclosure", "false", "true"}})
+        ModelUse{"density", "constant", "expansion"}, ModelUse{"enclosure", "false", "true"}})
     for (const char* kind : {"wall", "thinnest place", "heat into tools", "skins"})
       EXPECT_NE(models_move_text({poorer}).find(kind), std::string::npos) << poorer.part << ' ' << poorer.used;
 }
