@@ -190,6 +190,30 @@ TEST(StepDialects, a_solid_that_closes_around_its_axis) {
   }
 }
 
+/// A cup of 40 by 60 mm with a hollow of 20 by 40 mm, turned out of the plane of x and z; with a hole through its wall.
+void draw_flat_cup(bool with_hole) {
+  std::vector<int> points, lines;
+  for (const auto& [r, z] : {std::pair{0, 20}, {20, 20}, {20, 60}, {40, 60}, {40, 0}, {0, 0}})
+    points.push_back(occ::addPoint(r, 0, z));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    lines.push_back(occ::addLine(points[i], points[(i + 1) % points.size()]));
+  const int face = occ::addPlaneSurface({occ::addWire(lines)});
+  gmsh::vectorpair made, solids, cut;
+  std::vector<gmsh::vectorpair> parents;
+  occ::revolve({{2, face}}, 0, 0, 0, 0, 0, 1, 2 * M_PI, made);
+  occ::remove({{2, face}});
+  occ::getEntities(solids, 3);
+  if (with_hole) occ::cut(solids, {{3, occ::addCylinder(32, 0, -10, 0, 0, 100, 3)}}, cut, parents);
+}
+
+TEST(StepDialects, a_cut_through_the_seam_of_a_solid_or_a_hole_beside_its_axis) {
+  for (const auto& [with_hole, turn, wall] : {std::tuple{false, "0", 40}, {false, "180 deg", 40}, {true, "0", 29}}) {
+    const std::string keys = fmt::format("turn = \"{}\", ", turn) + from({0, 20});
+    const Taken taken = take_step([with_hole = with_hole] { draw_flat_cup(with_hole); }, keys);
+    EXPECT_NEAR(taken.area, wall * 60 - 20 * 40, 1e-5) << with_hole << turn << taken.refusal;
+  }
+}
+
 TEST(StepDialects, a_solid_about_another_axis_away_from_the_origin) {
   std::mt19937 random(13);
   const Section section = random_section(random, true);

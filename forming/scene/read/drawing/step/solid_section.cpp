@@ -126,11 +126,9 @@ TopoDS_Shape common_part(const TopoDS_Shape& shape, const gp_Pln& plane, double 
   return has_faces ? common.Shape() : TopoDS_Shape();
 }
 
-/// The section of a solid by the half plane at positive radii. Where the axis runs inside the solid, the kernel finds
-/// nothing on a half plane that begins there: the section by the whole plane is halved then.
+/// The section of a solid by the half plane at positive radii: the kernel loses parts in which the axis runs on a half
+/// plane that begins there, so the section by the whole plane is halved.
 TopoDS_Shape half_section(const TopoDS_Shape& solids, const gp_Pln& plane, double reach) {
-  const TopoDS_Shape half = common_part(solids, plane, 0, reach);
-  if (!half.IsNull()) return half;
   const TopoDS_Shape whole = common_part(solids, plane, -reach, reach);
   return whole.IsNull() ? whole : common_part(whole, plane, 0, reach);
 }
@@ -160,7 +158,9 @@ TopoDS_Shape section_of_solid(const TopoDS_Shape& solids, const StepCut& cut, st
         "the direction of one through the origin";
     return {};
   }
-  const gp_Ax3 frame = frame_of(solids, *axis, cut.turn);
+  // The kernel finds no section in a plane that a seam of the faces or a side of the solid lies in.
+  constexpr double off_seam = 1e-5;  // rad
+  const gp_Ax3 asked = frame_of(solids, *axis, cut.turn), frame = asked.Rotated(*axis, off_seam);
   Bnd_Box box;
   BRepBndLib::Add(solids, box);
   const double reach = 2 * std::sqrt(box.SquareExtent()) + gp_Pnt(0, 0, 0).Distance(frame.Location());
@@ -173,7 +173,7 @@ TopoDS_Shape section_of_solid(const TopoDS_Shape& solids, const StepCut& cut, st
         "which it does";
     return {};
   }
-  const gp_Dir z = frame.Direction(), x = frame.XDirection();
+  const gp_Dir z = frame.Direction(), x = asked.XDirection();
   const gp_Pnt o = frame.Location();
   text += fmt::format(
       "note a solid was cut from its axis along ({:.4g}, {:.4g}, {:.4g}) through ({:.6g}, {:.6g}, {:.6g}) mm "
