@@ -66,6 +66,23 @@ Placement read_placement(const core::CaseTable& table, bool is_cut) {
   return placement;
 }
 
+/// How far `from` and `to` are from the curves that reach positive radii, m; infinite where there are none.
+double distance_of_places(const core::CaseTable& table, const std::vector<core::Segment>& curves) {
+  const double axis = tolerance::joined * size_of(curves);
+  const auto is_right = [&](const core::Segment& curve) {
+    return std::max({curve.start[0], core::point_at(curve, 0.5)[0], curve.end[0]}) > axis;
+  };
+  double farthest = 0;
+  for (const auto* node : {&table.get("from"), table.find("to")}) {
+    if (!node) continue;
+    double nearest = HUGE_VAL;
+    for (const core::Segment& curve : curves)
+      if (is_right(curve)) nearest = core::distance(curve, read_point(*node), nearest);
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
 }  // namespace
 
 void place(const core::CaseTable& table, bool is_cut, std::vector<core::Segment>& curves) {
@@ -77,17 +94,13 @@ void place(const core::CaseTable& table, bool is_cut, std::vector<core::Segment>
     return placed;
   };
   std::vector<core::Segment> placed = all(placement);
-  double most = 0, least = 0;  // radii
-  for (const core::Segment& curve : placed)
-    for (const double t : {0.0, 0.5, 1.0}) {
-      const double r = core::point_at(curve, t)[0];
-      most = std::max(most, r), least = std::min(least, r);
-    }
-  if (table.find("axis") && !is_cut && least < 0 && most <= tolerance::joined * size_of(placed)) {
+  if (table.find("axis") && !is_cut) {
     // A reflection at the axis behind the turn is one before it and the opposite turn.
     placement.mirrored = true;
     placement.turn = -placement.turn;
-    placed = all(placement);
+    std::vector<core::Segment> reflected = all(placement);
+    const double near = tolerance::on_drawing * size_of(placed);
+    if (distance_of_places(table, reflected) + near < distance_of_places(table, placed)) placed = std::move(reflected);
   }
   curves = std::move(placed);
 }

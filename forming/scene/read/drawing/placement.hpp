@@ -15,9 +15,9 @@ struct Placement {
 };
 
 /// Puts the curves of a drawing where its keys say: `origin`, the point that is (0, 0) of the case; `axis`, the
-/// direction in the drawing that is that of z; `turn`, an angle by which it is turned instead. With an axis, what lies
-/// on the side of negative radii alone comes to the other side: around an axis both are the same. Of a solid that has
-/// been cut, the latter two are done.
+/// direction in the drawing that is that of z; `turn`, an angle by which it is turned instead. With an axis, where
+/// `from` and `to` lie on an outline at negative radii alone, it comes to the other side: around an axis both are the
+/// same. Of a solid that has been cut, the latter two are done.
 void place(const core::CaseTable& table, bool is_cut, std::vector<core::Segment>& curves);
 
 }  // namespace parison::forming

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaps between the curves of a drawing, its layers and its unit: what is taken with a note and what is refused.
+// Gaps between the curves of a drawing, its layers, its unit, its views and branches: what is taken with a note and
+// what is refused.
 #include <gtest/gtest.h>
 
 #include "dxf_writer.hpp"
@@ -82,6 +83,26 @@ TEST(DrawnGaps, a_drawing_without_any_unit_is_refused_and_one_of_another_unit_to
   std::string inches = file;
   inches.insert(0, section("HEADER", "9\n$INSUNITS\n70\n1\n"));
   EXPECT_NE(take("a.dxf", inches, mm + from({20, 0})).refusal.find("a drawing in inches"), std::string::npos);
+}
+
+/// Half of a cup of 40 by 60 mm with a hollow of 20 by 40 mm, open at its axis; on another side, upside down.
+void draw_cup(DxfWriter& writer, double side = 1, double up = 1) {
+  const std::vector<Point> corners{{0, 20}, {20, 20}, {20, 60}, {40, 60}, {40, 0}, {0, 0}};
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    writer.line(corners[i - 1].cwiseProduct(Point(side, up)), corners[i].cwiseProduct(Point(side, up)));
+}
+
+const std::string hollow = "from = \"(0, 20) mm\", to = \"(20, 60) mm\"";  // with (0, 0) 200 mm2
+
+TEST(DrawnViews, a_half_view_left_of_its_axis_comes_to_the_radii_whatever_lies_beside_it) {
+  for (const double beside : {-300, 300})
+    for (const auto& [axis, side, up] : {std::tuple{"y", -1, 1}, {"-y", 1, -1}, {"y", 1, 1}, {"-y", -1, -1}}) {
+      DxfWriter writer;
+      draw_cup(writer, side, up);
+      writer.light_polyline({{{beside, 0}}, {{beside + 30, 0}}, {{beside, 30}}});
+      const Taken taken = take("a.dxf", dxf_of(writer.text), mm + fmt::format("axis = \"{}\", ", axis) + hollow);
+      EXPECT_NEAR(taken.area, 200, 1e-9) << axis << beside << taken.refusal;
+    }
 }
 
 }  // namespace
