@@ -23,6 +23,16 @@ using core::CaseTable;
 using core::Point;
 using core::Segment;
 
+/// "; ... reaches from (0, -200) mm to (70, 0) mm".
+std::string extent_of(const Chain& chain) {
+  Point low = chain.front().start, high = low;
+  for (const Segment& segment : chain)
+    for (const double t : {0.0, 0.5, 1.0})
+      low = low.cwiseMin(core::point_at(segment, t)), high = high.cwiseMax(core::point_at(segment, t));
+  return fmt::format("; in the frame of the case the outline next to it reaches from {} to {}", in_mm(low),
+                     in_mm(high));
+}
+
 /// A position on a chain: the index of the segment plus the parameter on it, 0 to 1.
 double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
   const double on_drawing = tolerance::on_drawing * size_of(chain);
@@ -35,8 +45,8 @@ double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
     if (distance < best) best = distance, place = static_cast<double>(i) + t;
   }
   if (best > 2 * on_drawing)
-    core::refuse(node,
-                 fmt::format("{} is {:.3g} mm away from the drawing, allowed are points on it", in_mm(x), 1e3 * best));
+    core::refuse(node, fmt::format("{} is {:.3g} mm away from the drawing, allowed are points on it{}", in_mm(x),
+                                   1e3 * best, best > tolerance::drawing_gap * size_of(chain) ? extent_of(chain) : ""));
   return place;
 }
 

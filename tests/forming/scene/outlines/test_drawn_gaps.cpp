@@ -105,5 +105,13 @@ TEST(DrawnViews, a_half_view_left_of_its_axis_comes_to_the_radii_whatever_lies_b
     }
 }
 
+TEST(DrawnViews, a_place_far_from_the_drawing_is_refused_with_where_that_is) {
+  DxfWriter writer;
+  draw_cup(writer);
+  const std::string keys = "origin = \"(0, 60) mm\", ",
+                    refusal = take("a.dxf", dxf_of(writer.text), mm + keys + hollow).refusal;
+  EXPECT_NE(refusal.find("reaches from (0, -60) mm to (40, 0) mm"), refusal.npos) << refusal;
+}
+
 }  // namespace
 }  // namespace parison::tests
