@@ -109,7 +109,8 @@ void check_curves(const CaseNode& file, const Chain& curves) {
 /// The curves of a file in its own frame.
 struct Drawing {
   Chain curves;
-  bool is_cut = false;  ///< the section of a solid, in the frame of its axis
+  std::vector<std::string> layers;  ///< of a DXF file, as the boundary_id of a curve counts them
+  bool is_cut = false;              ///< the section of a solid, in the frame of its axis
 };
 
 Drawing read_drawing(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
@@ -130,14 +131,15 @@ Drawing read_drawing(const CaseTable& table, const std::string& directory, std::
     drawing.curves = read_step(table, path.string(), drawing.is_cut, notes);
     return drawing;
   }
-  Chain curves = read_dxf(table, path.string(), notes);
-  check_curves(file, curves);
-  curves = with_length(std::move(curves));
-  if (curves.empty())
+  Drawing drawing;
+  drawing.curves = read_dxf(table, path.string(), drawing.layers, notes);
+  check_curves(file, drawing.curves);
+  drawing.curves = with_length(std::move(drawing.curves));
+  if (drawing.curves.empty())
     core::refuse(file,
                  fmt::format("no lines or arcs with a length were found in \"{}\", allowed is a DXF file with some",
                              path.string()));
-  return {std::move(curves)};
+  return drawing;
 }
 
 /// How far apart the ends of curves may be, m.
@@ -152,37 +154,67 @@ double gap_of(const CaseTable& table, double size) {
   return value;
 }
 
+/// A curve that a place lies on; null without one.
+const Segment* curve_at(const Chain& curves, const Point& x, double near) {
+  const auto is_at = [&](const Segment& curve) { return core::distance(curve, x, 2 * near) < near; };
+  const auto found = std::find_if(curves.begin(), curves.end(), is_at);
+  return found == curves.end() ? nullptr : &*found;
+}
+
 /// Refuses a drawing of several outlines where it is not clear which is meant: two go through the first place, or the
 /// one that does is open and does not come to the last.
-void check_choice(const CaseTable& table, const Chained& drawn, std::vector<std::string>& notes) {
+void check_choice(const CaseTable& table, const Chained& drawn, const std::vector<std::string>& layers) {
   if (drawn.rest.empty()) return;
   const CaseNode &file = table.get("file"), &first = table.get("from"), *last = table.find("to");
   const double near = 2 * tolerance::on_drawing * size_of(drawn.chain);
-  const auto is_on = [&](const Chain& curves, const Point& x) {
-    return std::any_of(curves.begin(), curves.end(),
-                       [&](const Segment& curve) { return core::distance(curve, x, 2 * near) < near; });
-  };
   const Point from = read_point(first);
-  if (is_on(drawn.rest, from))
-    refuse_several(file, drawn, fmt::format("{} lies on two, allowed is a place on one", first.text));
-  if (!is_closed(drawn.chain) && !(last && is_on(drawn.chain, read_point(*last))))
+  if (const auto* other = curve_at(drawn.rest, from, near)) {
+    std::string of_layers;
+    if (const auto* own = curve_at(drawn.chain, from, near); own && !layers.empty())
+      of_layers = fmt::format(", on layer \"{}\" and on layer \"{}\" (layer takes one alone)", layers[own->boundary_id],
+                              layers[other->boundary_id]);
+    refuse_several(file, drawn, fmt::format("{} lies on two{}, allowed is a place on one", first.text, of_layers));
+  }
+  if (!is_closed(drawn.chain) && !(last && curve_at(drawn.chain, read_point(*last), near)))
     refuse_several(file, drawn,
                    fmt::format("the one next to {} is open and ends at {} and {}, allowed is a closed one "
                                "or one from \"from\" to \"to\"",
                                first.text, in_mm(drawn.chain.front().start), in_mm(drawn.chain.back().end)));
-  notes.push_back(fmt::format("of \"{}\" the outline through {} was taken, {} curves of others were left out",
-                              file.text, first.text, drawn.rest.size()));
+}
+
+/// Without straight lines along the axis at an end of which no curve goes on, such as centre lines, where the places of
+/// the case lie on other curves.
+Chain without_centre_lines(const CaseTable& table, const Chain& curves) {
+  const double joined = tolerance::joined * size_of(curves), near = 2 * tolerance::on_drawing * size_of(curves);
+  const auto is_free = [&](const Point& end) {
+    const auto has_end = [&](const Segment& curve) {
+      return (curve.start - end).norm() <= joined || (curve.end - end).norm() <= joined;
+    };
+    return std::count_if(curves.begin(), curves.end(), has_end) == 1;
+  };
+  Chain others;
+  for (const Segment& curve : curves) {
+    const bool is_on_axis = !curve.is_arc && std::max(std::abs(curve.start[0]), std::abs(curve.end[0])) <= joined;
+    if (!is_on_axis || !(is_free(curve.start) || is_free(curve.end))) others.push_back(curve);
+  }
+  for (const auto* place : {&table.get("from"), table.find("to")})
+    if (place && !curve_at(others, read_point(*place), near)) return curves;
+  return others;
 }
 
 /// The outline of the drawing at the first place as one chain of curves in the frame of the case.
 Chain read_chain(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
   const CaseNode& file = table.get("file");
-  auto [curves, is_cut] = read_drawing(table, directory, notes);
+  auto [curves, layers, is_cut] = read_drawing(table, directory, notes);
   check_curves(file, curves);
   place(table, is_cut, curves);
   const double size = size_of(curves), gap = gap_of(table, size);
-  Chained drawn = chained(file, std::move(curves), read_point(table.get("from")), gap);
-  check_choice(table, drawn, notes);
+  const CaseNode& first = table.get("from");
+  Chained drawn = chained(file, without_centre_lines(table, curves), read_point(first), gap);
+  check_choice(table, drawn, layers);
+  if (const std::size_t left = curves.size() - drawn.chain.size(); left > 0)
+    notes.push_back(fmt::format("of \"{}\" the outline through {} was taken, {} curves of others were left out",
+                                file.text, first.text, left));
   const ClosedGaps& closed = drawn.closed;
   // The CAD kernel finds where a plane cuts a curved surface within less than that.
   const bool is_of_kernel = is_cut && closed.widest <= curve_tolerance(size);

@@ -51,10 +51,10 @@ inline constexpr std::size_t max_segments = 20'000;
 double size_of(std::vector<core::Segment> curves);
 
 /// The curves of a DXF file in the order of the file, m, those without length included: of the `layer` that the table
-/// of the drawing names or of all that are shown, in its `unit` or that of the file. `notes` gets a sentence about what
-/// was left out.
+/// of the drawing names or of all that are shown, in its `unit` or that of the file. The boundary_id of a curve counts
+/// its layer in `layers`. `notes` gets a sentence about what was left out.
 std::vector<core::Segment> read_dxf(const core::CaseTable& table, const std::string& path,
-                                    std::vector<std::string>& notes);
+                                    std::vector<std::string>& layers, std::vector<std::string>& notes);
 
 /// The curves of a section in a STEP file, m: those in a coordinate plane, or the section of a solid by a half plane
 /// from its axis, which `is_cut` tells. `notes` gets a sentence about the axis that was found.

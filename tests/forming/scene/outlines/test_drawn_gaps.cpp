@@ -105,6 +105,18 @@ TEST(DrawnViews, a_half_view_left_of_its_axis_comes_to_the_radii_whatever_lies_b
     }
 }
 
+TEST(DrawnViews, a_centre_line_is_no_outline_and_two_outlines_are_told_by_their_layers) {
+  DxfWriter writer;
+  draw_cup(writer);
+  writer.line({0, -10}, {0, 90});
+  EXPECT_NEAR(take("a.dxf", dxf_of(writer.text), mm + hollow).area, 200, 1e-9);
+  writer.layer = "PLUNGER";
+  writer.line({-5, 10}, {5, 30});
+  const std::string refusal = take("a.dxf", dxf_of(writer.text), mm + hollow).refusal;
+  EXPECT_NE(refusal.find("lies on two, on layer \"0\" and on layer \"PLUNGER\" (layer takes one alone)"), refusal.npos)
+      << refusal;
+}
+
 TEST(DrawnViews, a_place_far_from_the_drawing_is_refused_with_where_that_is) {
   DxfWriter writer;
   draw_cup(writer);

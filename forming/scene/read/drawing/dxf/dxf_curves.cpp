@@ -135,6 +135,7 @@ Point DxfCurves::point(const DxfEntity& entity, int x, int y) const {
 
 void DxfCurves::add_curve(const Segment& curve, double bulge) {
   curves_.push_back(curve);
+  curves_.back().boundary_id = layer;
   bulges_.push_back(bulge);
   if (curves_.size() > max_segments)
     core::refuse(file_.node, fmt::format("more than {} curves were found in \"{}\", allowed are so many", max_segments,

@@ -26,7 +26,8 @@ class DxfCurves {
  public:
   explicit DxfCurves(const DxfFile& file) : file_(file) {}
 
-  double unit = 1;  ///< of a drawing unit, m; to be set before the first entity
+  double unit = 1;        ///< of a drawing unit, m; to be set before the first entity
+  core::Index layer = 0;  ///< of the curves that follow: their boundary_id
 
   void add(const DxfEntity& entity);
   /// Refuses what is not parallel to the plane of x and y: its shape would be that of its shadow.

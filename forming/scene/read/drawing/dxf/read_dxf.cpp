@@ -62,6 +62,8 @@ class Drawing {
     return fmt::format("{}{}", fmt::join(names, ", "), found_.size() > most ? ", ..." : "");
   }
   std::size_t hidden() const { return hidden_; }
+  /// As the boundary_id of the curves counts them.
+  const std::vector<std::string>& layers() const { return names_; }
 
   DxfHeader header;
 
@@ -99,8 +101,15 @@ class Drawing {
     const std::string own = layers_.layer_of(entity), layer = depth > 0 && own == "0" ? of_insertion : own;
     const bool part = entity.kind == "VERTEX" || entity.kind == "SEQEND";  // of the polyline before
     if (!part) wanted = is_wanted(entity, layer);
+    if (!part && wanted) number_layer(layer);
     if (entity.kind == "INSERT" && !is_annotation(entity)) return insert(entity, layer, depth);
     if (wanted) curves_.add(entity);
+  }
+
+  void number_layer(const std::string& layer) {
+    const auto found = std::find(names_.begin(), names_.end(), layer);
+    curves_.layer = static_cast<core::Index>(found - names_.begin());
+    if (found == names_.end()) names_.push_back(layer);
   }
 
   void insert(const Entity& entity, const std::string& layer, int depth) {
@@ -130,6 +139,7 @@ class Drawing {
   DxfLayers layers_;
   DxfBlocks blocks_;
   std::map<std::string, Layer> found_;  ///< layers with curves, by their names in small letters
+  std::vector<std::string> names_;      ///< of the layers of wanted curves
   std::size_t hidden_ = 0;              ///< entities left out since they are not shown
   bool wanted_ = false, is_begun_ = false;
   int insertions_ = 0;
@@ -145,13 +155,15 @@ std::optional<double> unit_of_case(const CaseTable& table) {
 
 }  // namespace
 
-std::vector<Segment> read_dxf(const CaseTable& table, const std::string& path, std::vector<std::string>& notes) {
+std::vector<Segment> read_dxf(const CaseTable& table, const std::string& path, std::vector<std::string>& layers,
+                              std::vector<std::string>& notes) {
   const CaseNode &node = table.get("file"), *layer = table.find("layer");
   const std::string content = core::read_given_file(node, path, "a drawing with its path relative to the case file");
   const DxfFile file{node, path};
   Drawing drawing(file, table, layer ? core::text(*layer) : "", unit_of_case(table));
   read_entities(file, content, drawing.header, [&](const Entity& entity) { drawing.take(entity); });
   std::vector<Segment> curves = drawing.curves();
+  layers = drawing.layers();
   const std::string names = drawing.names_of_layers();
   if (curves.empty() && layer)
     core::refuse(*layer, fmt::format("no lines or arcs were found on layer \"{}\" of \"{}\", allowed {}", layer->text,
