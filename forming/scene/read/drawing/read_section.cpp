@@ -240,23 +240,11 @@ Chain whole(const CaseTable& table, const Chain& curves, bool closed) {
                   first.text));
 }
 
-/// The way round a closed outline that passes a place, or comes much nearer to it than the other way.
-Chain way_round(const CaseNode& place, const Chain& curves, double from, double to) {
+/// The two ways round a closed outline from one position to another.
+std::vector<Chain> ways_round(const Chain& curves, double from, double to) {
   const double count = static_cast<double>(curves.size());
   if (to <= from) to += count;
-  const Chain forth = interval(curves, from, to), back = interval(turned(curves), count - from, 2 * count - to);
-  const Point via = read_point(place);
-  const auto distance = [&](const Chain& way) {
-    double found = HUGE_VAL;
-    for (const Segment& curve : way) found = core::distance(curve, via, found);
-    return found;
-  };
-  const double by_forth = distance(forth), by_back = distance(back);
-  if (2 * by_forth < by_back) return forth;
-  if (2 * by_back < by_forth) return back;
-  core::refuse(place, fmt::format("{} is {:.3g} mm away from one way round the outline and {:.3g} mm from the other, "
-                                  "allowed is a place on or next to one of them",
-                                  place.text, 1e3 * by_forth, 1e3 * by_back));
+  return {interval(curves, from, to), interval(turned(curves), count - from, 2 * count - to)};
 }
 
 }  // namespace
@@ -271,15 +259,13 @@ std::vector<Segment> read_section(const CaseNode& node, const std::string& direc
     core::refuse(*via, "a via was found, allowed only where the drawn outline is closed");
   }
   if (!last) return whole(table, curves, closed);
-  if (closed && !via)
-    core::refuse(*last,
-                 "a closed outline can be followed to this point in two directions, allowed is \"to\" together with a "
-                 "\"via\": a "
-                 "point on the part that is wanted");
   const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first)),
                to = place_on(*last, curves, read_point(*last));
-  if (closed) return way_round(*via, curves, from, to);
-  return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
+  if (!closed) return to > from ? interval(curves, from, to) : interval(turned(curves), count - from, count - to);
+  if (auto way = wanted_way(table, ways_round(curves, from, to))) return *std::move(way);
+  core::refuse(*last,
+               "a closed outline can be followed to this point in two directions, allowed is \"to\" together with a "
+               "\"via\": a point on the part that is wanted");
 }
 
 }  // namespace parison::forming

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ struct Chained {
 /// next start; ends up to `gap` apart, m, are brought together: that of a line to that of an arc, else both to the
 /// middle. Refuses wider gaps and branches.
 Chained chained(const core::CaseNode& file, Chain curves, const core::Point& from, double gap);
+
+/// The wanted one of several ways: that next to `via`; without it, from the axis to the axis, the only one at radii
+/// from zero; else none.
+std::optional<Chain> wanted_way(const core::CaseTable& table, const std::vector<Chain>& ways);
 
 /// Refuses a drawing for the outlines that it has besides a chain.
 [[noreturn]] void refuse_several(const core::CaseNode& file, const Chained& drawn, const std::string& why);

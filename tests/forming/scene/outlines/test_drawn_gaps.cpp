@@ -117,6 +117,14 @@ TEST(DrawnViews, a_centre_line_is_no_outline_and_two_outlines_are_told_by_their_
       << refusal;
 }
 
+TEST(DrawnViews, of_a_full_section_from_the_axis_to_the_axis_that_at_the_radii_is_taken) {
+  DxfWriter writer;
+  draw_cup(writer);
+  draw_cup(writer, -1.1);
+  const Taken taken = take("a.dxf", dxf_of(writer.text), mm + "from = \"(0, 20) mm\", to = \"(0, 0) mm\"");
+  EXPECT_NEAR(taken.area, 40 * 60 - 20 * 40, 1e-9) << taken.refusal;
+}
+
 TEST(DrawnViews, a_place_far_from_the_drawing_is_refused_with_where_that_is) {
   DxfWriter writer;
   draw_cup(writer);
