@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
@@ -63,8 +64,8 @@ class Chaining {
     extend();
     chain_ = turned(chain_);
     extend();
-    refuse_end_near_rest();
-    return {chain_, left_, closed_};
+    if (!branch_) refuse_end_near_rest();
+    return {chain_, left_, closed_, branch_};
   }
 
  private:
@@ -89,7 +90,7 @@ class Chaining {
       const Point end = chain_.back().end;
       const auto nearest = nearest_to(end);
       const double apart = nearest == left_.end() ? HUGE_VAL : distance(*nearest, end);
-      if (apart <= joined_) refuse_branch(end);
+      if (apart <= joined_ && is_branch(end)) return branch_.emplace(end), void();
       if (is_closed_within(std::min(gap_, apart))) return close();
       if (apart > gap_) return;
       chain_.push_back((nearest->start - end).norm() <= (nearest->end - end).norm() ? *nearest : turned({*nearest})[0]);
@@ -98,12 +99,9 @@ class Chaining {
     }
   }
 
-  void refuse_branch(const Point& end) const {
+  bool is_branch(const Point& end) const {
     const auto follows = [&](const Segment& s) { return distance(s, end) <= joined_; };
-    if (std::count_if(left_.begin(), left_.end(), follows) > 1)
-      core::refuse(
-          file_, fmt::format("more than two curves of the drawing meet at {}, allowed is one outline without branches",
-                             in_mm(end)));
+    return std::count_if(left_.begin(), left_.end(), follows) > 1;
   }
 
   bool is_closed_within(double gap) const {
@@ -134,6 +132,7 @@ class Chaining {
   const CaseNode& file_;
   Chain chain_, left_;
   ClosedGaps closed_;
+  std::optional<Point> branch_;
   double size_, joined_ = 0, gap_ = 0;  ///< m
 };
 

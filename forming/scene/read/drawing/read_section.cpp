@@ -50,16 +50,6 @@ double place_on(const CaseNode& node, const Chain& chain, const Point& x) {
   return place;
 }
 
-/// The part of a segment between two parameters, 0 to 1.
-Segment part_of(const Segment& segment, double from, double to) {
-  Segment part = segment;
-  if (from > 0) part.start = core::point_at(segment, from);
-  if (to < 1) part.end = core::point_at(segment, to);
-  part.from = segment.from + from * (segment.to - segment.from);
-  part.to = to < 1 ? segment.from + to * (segment.to - segment.from) : segment.to;
-  return part;
-}
-
 /// The segments from one position to a later one, around a closed chain if need be.
 Chain interval(const Chain& chain, double from, double to) {
   Chain result;
@@ -202,19 +192,48 @@ Chain without_centre_lines(const CaseTable& table, const Chain& curves) {
   return others;
 }
 
-/// The outline of the drawing at the first place as one chain of curves in the frame of the case.
-Chain read_chain(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
+/// Of curves that branch, those on the way that is wanted.
+Chain way_past_branches(const CaseTable& table, const Chain& curves, const Point& branch, double gap) {
+  const CaseNode &file = table.get("file"), &first = table.get("from"), *last = table.find("to");
+  const std::string meet = fmt::format("more than two curves of the drawing meet at {}", in_mm(branch));
+  if (!last)
+    core::refuse(file, meet + ", allowed is one outline without branches, or a \"to\" up to which it is taken");
+  for (const auto* place : {&first, last}) place_on(*place, curves, read_point(*place));
+  const auto ways = ways_between(curves, read_point(first), read_point(*last), gap);
+  if (!ways) core::refuse(file, meet + " and at many other places, allowed are fewer (layer takes one layer alone)");
+  if (ways->empty())
+    core::refuse(
+        *last, fmt::format("no curves lead from {} to this point, allowed are two points of one outline", first.text));
+  if (ways->size() == 1) return ways->front();
+  if (auto way = wanted_way(table, *ways)) return *std::move(way);
+  core::refuse(file,
+               fmt::format("{}, so {} ways lead from \"from\" to \"to\", allowed is one, or a \"via\": a point on "
+                           "the part that is wanted",
+                           meet, ways->size()));
+}
+
+/// The outline of the drawing at the first place as one chain of curves in the frame of the case; where curves branch,
+/// the wanted part of it.
+Chained read_chain(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
   const CaseNode& file = table.get("file");
   auto [curves, layers, is_cut] = read_drawing(table, directory, notes);
   check_curves(file, curves);
   place(table, is_cut, curves);
   const double size = size_of(curves), gap = gap_of(table, size);
+  const Chain outlines = without_centre_lines(table, curves);
   const CaseNode& first = table.get("from");
-  Chained drawn = chained(file, without_centre_lines(table, curves), read_point(first), gap);
-  check_choice(table, drawn, layers);
-  if (const std::size_t left = curves.size() - drawn.chain.size(); left > 0)
-    notes.push_back(fmt::format("of \"{}\" the outline through {} was taken, {} curves of others were left out",
-                                file.text, first.text, left));
+  Chained drawn = chained(file, outlines, read_point(first), gap);
+  if (const auto branch = drawn.branch) {
+    drawn = chained(file, way_past_branches(table, outlines, *branch, gap), read_point(first), gap);
+    drawn.branch = branch;
+    notes.push_back(fmt::format("of \"{}\" {} curves from {} to {} were taken, others that meet them were left out",
+                                file.text, drawn.chain.size(), first.text, table.get("to").text));
+  } else {
+    check_choice(table, drawn, layers);
+    if (const std::size_t left = curves.size() - drawn.chain.size(); left > 0)
+      notes.push_back(fmt::format("of \"{}\" the outline through {} was taken, {} curves of others were left out",
+                                  file.text, first.text, left));
+  }
   const ClosedGaps& closed = drawn.closed;
   // The CAD kernel finds where a plane cuts a curved surface within less than that.
   const bool is_of_kernel = is_cut && closed.widest <= curve_tolerance(size);
@@ -224,7 +243,7 @@ Chain read_chain(const CaseTable& table, const std::string& directory, std::vect
                     "\"0 mm\" they are refused",
                     file.text, closed.count, 1e3 * closed.widest, in_mm(closed.where)));
   clean(drawn.chain);
-  return drawn.chain;
+  return drawn;
 }
 
 /// The whole outline from a place on it, or the whole drawn line from one of its ends.
@@ -249,14 +268,24 @@ std::vector<Chain> ways_round(const Chain& curves, double from, double to) {
 
 }  // namespace
 
+Segment part_of(const Segment& segment, double from, double to) {
+  Segment part = segment;
+  if (from > 0) part.start = core::point_at(segment, from);
+  if (to < 1) part.end = core::point_at(segment, to);
+  part.from = segment.from + from * (segment.to - segment.from);
+  part.to = to < 1 ? segment.from + to * (segment.to - segment.from) : segment.to;
+  return part;
+}
+
 std::vector<Segment> read_section(const CaseNode& node, const std::string& directory, std::vector<std::string>& notes) {
   const CaseTable table(node, {"file", "from", "via", "to", "unit", "layer", "origin", "axis", "turn", "gap"});
-  const Chain curves = read_chain(table, directory, notes);
+  const auto drawn = read_chain(table, directory, notes);
+  const Chain& curves = drawn.chain;
   const bool closed = is_closed(curves);
   const CaseNode &first = table.get("from"), *via = table.find("via"), *last = table.find("to");
-  if (via && !closed) {
+  if (via && !closed && !drawn.branch) {
     refuse_nearly_closed(table.get("file"), curves, gap_of(table, size_of(curves)));
-    core::refuse(*via, "a via was found, allowed only where the drawn outline is closed");
+    core::refuse(*via, "a via was found, allowed only where the drawn outline is closed or branches");
   }
   if (!last) return whole(table, curves, closed);
   const double count = static_cast<double>(curves.size()), from = place_on(first, curves, read_point(first)),

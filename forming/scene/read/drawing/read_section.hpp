@@ -35,12 +35,21 @@ struct ClosedGaps {
 struct Chained {
   Chain chain, rest;
   ClosedGaps closed;
+  std::optional<core::Point> branch;  ///< where more than one curve follows, at which the chain ends
 };
 
 /// Brings the curve that is closest to a place and those that follow it at both ends into a chain, each end meeting the
 /// next start; ends up to `gap` apart, m, are brought together: that of a line to that of an arc, else both to the
-/// middle. Refuses wider gaps and branches.
+/// middle. Refuses wider gaps.
 Chained chained(const core::CaseNode& file, Chain curves, const core::Point& from, double gap);
+
+/// The part of a segment between two parameters, 0 to 1.
+core::Segment part_of(const core::Segment& segment, double from, double to);
+
+/// The ways from one place to another over curves, or parts of them, whose ends are up to `gap` apart, m; none passes a
+/// place twice. Nothing where there are too many.
+std::optional<std::vector<Chain>> ways_between(Chain curves, const core::Point& from, const core::Point& to,
+                                               double gap);
 
 /// The wanted one of several ways: that next to `via`; without it, from the axis to the axis, the only one at radii
 /// from zero; else none.

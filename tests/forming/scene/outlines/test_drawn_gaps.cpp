@@ -105,6 +105,35 @@ TEST(DrawnViews, a_half_view_left_of_its_axis_comes_to_the_radii_whatever_lies_b
     }
 }
 
+TEST(DrawnViews, lines_that_meet_the_outline_are_left_out_with_a_note) {
+  DxfWriter writer;
+  draw_cup(writer);
+  writer.line({20, 60}, {20, 90});
+  writer.line({40, 60}, {60, 60});
+  const Taken half = take("a.dxf", dxf_of(writer.text), mm + hollow);
+  EXPECT_NEAR(half.area, 200, 1e-9) << half.refusal;
+  ASSERT_EQ(half.notes.size(), 1);
+  EXPECT_NE(half.notes[0].find("2 curves from (0, 20) mm to (20, 60) mm were taken"), std::string::npos);
+  const std::string whole = take("a.dxf", dxf_of(writer.text), mm + "from = \"(0, 20) mm\"").refusal;
+  EXPECT_NE(whole.find("meet at (20, 60) mm, allowed is one outline without branches, or a \"to\""), whole.npos)
+      << whole;
+  draw_cup(writer, -1);
+  const Taken both = take("a.dxf", dxf_of(writer.text), mm + "via = \"(20, 40) mm\", " + hollow);
+  EXPECT_NEAR(both.area, 200, 1e-9) << both.refusal;
+}
+
+TEST(DrawnViews, where_two_ways_go_on_via_chooses) {
+  DxfWriter writer;
+  draw_cup(writer);
+  writer.arc({20, 20.008}, {20, 60}, 0.5);  // with a gap that is closed
+  const std::string file = dxf_of(writer.text), refusal = take("a.dxf", file, mm + hollow).refusal;
+  EXPECT_NE(refusal.find("so 2 ways lead from \"from\" to \"to\", allowed is one, or a \"via\""), refusal.npos)
+      << refusal;
+  EXPECT_NEAR(take("a.dxf", file, mm + "via = \"(20, 30) mm\", " + hollow).area, 200, 1e-9);
+  const Taken bent = take("a.dxf", file, mm + "gap = \"0.01 mm\", via = \"(30, 40) mm\", " + hollow);
+  EXPECT_NEAR(bent.area, 200 + area_of_arc({20, 20}, {20, 60}, 0.5), 0.2) << bent.refusal;
+}
+
 TEST(DrawnViews, a_centre_line_is_no_outline_and_two_outlines_are_told_by_their_layers) {
   DxfWriter writer;
   draw_cup(writer);
