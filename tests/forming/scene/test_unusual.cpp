@@ -145,7 +145,7 @@ TEST(Unusual, a_plunger_that_stops_with_less_glass_before_it_than_a_film_may_hav
            " }, gob = { mass = \"214.38 g\", diameter = \"50 mm\", at = \"(0, 0) mm\" } }";
   };
   expect_note("tumbler", glass(""),
-              "stops for this mass, at 0.2218 mm, the glass is 0.22 mm thick from radius 0 to 24");
+              "stops for this mass, at 0.2215 mm, the glass is 0.22 mm thick from radius 0 to 24");
   expect_note("tumbler", glass(""), "thinner than film.min_thickness = 0.3 mm of the glass: the run will end there");
   EXPECT_EQ(notes_on("tumbler", {glass("then = \"freeze\"")}), "");
   EXPECT_EQ(notes_on("tumbler", {glass("min_thickness = \"0.2 mm\"")}), "");
