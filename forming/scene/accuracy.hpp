@@ -27,11 +27,11 @@ struct Accuracy {
   double initial_step;           ///< of each stage, s
   double min_step;               ///< s; a run that needs less stops
   double max_cells;              ///< of the glass, about: sizes that ask for more grow
-  double quality_floor;     ///< remesh below this scaled inverse condition number
-  double motion_tolerance;  ///< a coupling iteration whose velocity moves the mid-step mesh by more than this is
-                            ///< repeated, m
-  int temperature_order;    ///< of the temperature in a cell: 2, or 1: linear between the vertices
-  int passes;               ///< flow and heat in a step, so many times
+  double quality_floor;          ///< remesh below this scaled inverse condition number
+  double motion_tolerance;       ///< a coupling iteration whose velocity moves the mid-step mesh by more than this is
+                                 ///< repeated, m
+  int temperature_order;         ///< of the temperature in a cell: 2, or 1: linear between the vertices
+  int passes;                    ///< flow and heat in a step, so many times
 };
 
 /// Growth of the edge with the distance from the surface of the glass or the contact boundaries of a tool.

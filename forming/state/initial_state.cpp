@@ -99,8 +99,7 @@ GlassState initial_glass(const Scene& scene) {
   GlassState glass;
   const double factor = edge_factor(scene);
   const double wanted = scene.has_flow() ? accuracy.surface_size : factor * accuracy.skin_size;
-  glass.mesh =
-      mesh_of(scene, glass_body, inner_glass_size * factor * accuracy.surface_size, wanted, edge_growth);
+  glass.mesh = mesh_of(scene, glass_body, inner_glass_size * factor * accuracy.surface_size, wanted, edge_growth);
   for_each_glass_field([&](const auto& field) {
     if (!exists(scene, field.needs)) return;
     const auto size = field.components * place_count(field.location, glass.mesh);

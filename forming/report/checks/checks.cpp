@@ -24,8 +24,7 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   const auto formed = container_report(scene, state, true);
   if (!formed || !formed->capacity) return;
   // What the glass lost of its volume as it cooled in the mould, its capacity gained.
-  const double drawn =
-      *plan.capacity + state.glass.initial_volume - core::volume(state.glass.mesh, scene.geometry);
+  const double drawn = *plan.capacity + state.glass.initial_volume - core::volume(state.glass.mesh, scene.geometry);
   constexpr double millilitre = 1e-6;
   checks.push_back({"capacity", std::abs(*formed->capacity / drawn - 1), most_doubt, no_limit, "%",
                     fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "

@@ -165,7 +165,8 @@ std::string models_of_scene(const std::string& from, const std::string& to) {
 
 TEST(Models, a_scene_has_those_of_its_parts_and_contact_is_by_the_law_of_most_tools) {
   const std::string density = ", density constant (best: expansion)";
-  EXPECT_EQ(models_of_scene("", ""), "radiation none (best: transfer), contact constant (best: pressure-viscosity)" + density);
+  EXPECT_EQ(models_of_scene("", ""),
+            "radiation none (best: transfer), contact constant (best: pressure-viscosity)" + density);
   EXPECT_EQ(models_of_scene("law = \"constant\"\nh = \"2000 W/m2/K\"", "law = \"gap\""),
             "radiation none (best: transfer), contact gap (best: pressure-viscosity)" + density);
   const std::string followed =
@@ -173,11 +174,11 @@ TEST(Models, a_scene_has_those_of_its_parts_and_contact_is_by_the_law_of_most_to
       "eta_ref = \"1e3 Pa.s\"\na = 1\nb = 0.25";
   EXPECT_EQ(models_of_scene("law = \"constant\"\nh = \"2000 W/m2/K\"", followed),
             "radiation none (best: transfer), contact pressure-viscosity" + density);
-  EXPECT_EQ(
-      models_of_scene("[material.soft]\n",
-                      "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n"
-                      "[material.soft]\nemissivity = 0.9\n"),
-      "radiation none (best: transfer), contact constant (best: pressure-viscosity)" + density + ", enclosure false (best: true)");
+  EXPECT_EQ(models_of_scene("[material.soft]\n",
+                            "air = { temperature = \"50 degC\", h = \"20 W/m2/K\", ambient = \"50 degC\" }\n"
+                            "[material.soft]\nemissivity = 0.9\n"),
+            "radiation none (best: transfer), contact constant (best: pressure-viscosity)" + density +
+                ", enclosure false (best: true)");
 }
 
 TEST(Models, each_poorer_model_has_a_figure_of_every_kind) {

@@ -73,8 +73,8 @@ TEST(Accuracy, both_ends_of_the_targets_that_the_error_names_are_taken) {
 }
 
 TEST(Accuracy, settings_that_make_no_sense_are_refused) {
-  for (const char* text : {"elements_across=0.1", "max_cells=1", "surface_size=1 m", "strain_per_step=10",
-                           "quality_floor=0.95"}) {
+  for (const char* text :
+       {"elements_across=0.1", "max_cells=1", "surface_size=1 m", "strain_per_step=10", "quality_floor=0.95"}) {
     EXPECT_THROW(bundled("jar", "draft", {std::string("numerics.") + text}), core::CaseError) << text;
   }
   try {

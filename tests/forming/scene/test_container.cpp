@@ -44,7 +44,8 @@ TEST(ContainerPlan, the_plunger_of_the_jar_stops_where_its_gob_fills_the_cavity)
   const auto plan = plan_container(read_scene(cases + "jar", "draft"));
   ASSERT_TRUE(plan && plan->press && plan->capacity);
   // 91.52 cm3 stop it at 92 mm; it is 27 mm thick where it enters the cavity.
-  EXPECT_NEAR(1e3 * plan->press->stop, 92 - 1e3 * (0.22 / flint_density(1150) - 91.52e-6) / (M_PI * 0.027 * 0.027), 0.01);
+  EXPECT_NEAR(1e3 * plan->press->stop, 92 - 1e3 * (0.22 / flint_density(1150) - 91.52e-6) / (M_PI * 0.027 * 0.027),
+              0.01);
   EXPECT_NEAR(plan->press->cavity, plan->glass_volume, 1e-4 * plan->glass_volume);
   EXPECT_NEAR(*plan->capacity + plan->glass_volume, *plan->outside, 1e-12);
 }
@@ -54,7 +55,8 @@ TEST(ContainerPlan, a_pressed_tumbler_holds_what_its_plunger_displaces) {
   const auto plan = plan_container(scene);
   ASSERT_TRUE(plan && plan->press && plan->filled);
   // 115.85 cm3 stop it at 8 mm; a wall of the ring is 32 mm from the axis.
-  EXPECT_NEAR(1e3 * plan->press->stop, 8 + 1e3 * (0.278 / flint_density(1100) - 115.85e-6) / (M_PI * 0.032 * 0.032), 0.05);
+  EXPECT_NEAR(1e3 * plan->press->stop, 8 + 1e3 * (0.278 / flint_density(1100) - 115.85e-6) / (M_PI * 0.032 * 0.032),
+              0.05);
   EXPECT_NEAR(1e3 * *plan->rim, 90, 1e-6);
   EXPECT_FALSE(plan->outside);
   // Between the heights 82 and 90 mm the plunger's radius grows from 31.53 to 32 mm.
@@ -68,7 +70,8 @@ TEST(ContainerPlan, a_heavier_gob_stops_the_plunger_earlier_by_its_volume_over_t
         ->press->stop;
   };
   const double moved = at("219.6 g") - at("222 g");
-  EXPECT_NEAR(moved * M_PI * 0.027 * 0.027, 2.4e-3 / flint_density(1150), 1e-9);  // the plunger is 27 mm thick where it enters the cavity
+  EXPECT_NEAR(moved * M_PI * 0.027 * 0.027, 2.4e-3 / flint_density(1150),
+              1e-9);  // the plunger is 27 mm thick where it enters the cavity
 }
 
 TEST(ContainerPlan, where_no_capacity_is_known_a_line_says_why) {

@@ -142,9 +142,10 @@ TEST(LaidGob, a_tool_that_comes_down_on_it_later_is_told) {
 TEST(LaidGob, a_mass_for_which_no_capsule_finds_room_is_told_what_does) {
   const std::string capsule =
       complaint("nnpb", "mass = \"60 g\", diameter = \"22 mm\", in = \"blank\"", small_blank(6));
-  EXPECT_NE(capsule.find("glass.gob.mass: 25.47 cm3 of glass find no room in \"blank\" with the tools of the first stage, "
-                         "whatever their diameter; allowed are up to "),
-            capsule.npos)
+  EXPECT_NE(
+      capsule.find("glass.gob.mass: 25.47 cm3 of glass find no room in \"blank\" with the tools of the first stage, "
+                   "whatever their diameter; allowed are up to "),
+      capsule.npos)
       << capsule;
   EXPECT_NE(capsule.find(" g without a diameter, for a gob that takes the shape of \"blank\", or a tool that starts "
                          "further away or comes in a later stage"),

@@ -63,8 +63,9 @@ Scene pressed() {
   Scene scene = scene_of(pot);
   scene.glass.emissivity = 0;
   scene.glass.thermal->radiation.reset();
-  scene.stages.push_back(scene.stages[0]);                     // which begins with a new mesh
-  scene.stages[0].duration = scene.stages[1].duration = 0.04;  // a new mesh of the full pot, with points on circles, is one of round-off
+  scene.stages.push_back(scene.stages[0]);  // which begins with a new mesh
+  scene.stages[0].duration = scene.stages[1].duration =
+      0.04;  // a new mesh of the full pot, with points on circles, is one of round-off
   for (Interface& interface : scene.interfaces) interface.law = contact::ConstantConductance{2000};
   return scene;
 }
