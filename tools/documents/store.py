@@ -38,19 +38,15 @@ def light_runs():
     return {f"light_{model}": ("draft", with_light(model)) for model in MODELS}
 
 
-# Gob and tools of the blank side of the jar hotter by 5 K, with the contact of the case and with one whose h does not fall with the viscosity.
+# Gob and tools of the blank side of the jar hotter by 5 K.
 WARMER = {"": [], "_gob": ["glass.temperature=1155 degC"],
           "_tools": [f"tool.{tool}.temperature.plus=5 K" for tool in ("ring", "plate", "blank", "plunger")]}
 SLOPE_MODELS = ("enclosure", "none", "rosseland")
-EVEN_MODELS = ("enclosure", "none")
 
 
 def slope_runs():
-    runs = {f"slope_{model}{warmer}": ("draft", with_light(model) + sets) for model in SLOPE_MODELS
+    return {f"slope_{model}{warmer}": ("draft", with_light(model) + sets) for model in SLOPE_MODELS
             for warmer, sets in WARMER.items() if warmer}
-    runs.update({f"slope_{model}_even{warmer}": ("draft", [*with_light(model), "interface.0.b=0", *WARMER[warmer]])
-                 for model in EVEN_MODELS for warmer in ("", "_gob")})
-    return runs
 
 
 # Runs whose figures a README quotes: a name, the accuracy, and what replaces the case's own values.

@@ -422,15 +422,13 @@ def blank_heat(case):
 def blank_slopes(case):
     """Heat out of the glass in the blank, and its mean at the end of the dwell over gob and tool temperature, by differences of 5 K."""
     rows = []
-    contacts = [(model, "that of the case", f"light_{model}", f"slope_{model}") for model in store.SLOPE_MODELS]
-    contacts += [(model, "h by pressure alone, b = 0", f"slope_{model}_even", f"slope_{model}_even") for model in store.EVEN_MODELS]
-    for model, contact, name, changed in contacts:
-        end = blank_end(case, name)
-        slopes = [f"{(blank_end(case, changed + warmer)['glass_mean_degC'] - end['glass_mean_degC']) / 5:.2f}"
-                  if changed + warmer in store.RUNS[case] else "" for warmer in ("_gob", "_tools")]
-        rows.append([MODELS[model], contact, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f}",
+    for model in store.SLOPE_MODELS:
+        end = blank_end(case, f"light_{model}")
+        slopes = [f"{(blank_end(case, f'slope_{model}{warmer}')['glass_mean_degC'] - end['glass_mean_degC']) / 5:.2f}"
+                  for warmer in ("_gob", "_tools")]
+        rows.append([MODELS[model], f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f}",
                      f"{end['glass_mean_degC']:.0f}", *slopes])
-    return table(["radiation", "contact", "heat out of the glass by the end of the dwell, kJ", "mean of the glass then, degC",
+    return table(["radiation", "heat out of the glass by the end of the dwell, kJ", "mean of the glass then, degC",
                   "K of it per K of the gob", "per K of the blank side's tools"], rows)
 
 
