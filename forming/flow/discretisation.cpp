@@ -3,6 +3,7 @@
 
 #include "core/mesh/element.hpp"
 #include "forming/flow/cells/expansion.hpp"
+#include "forming/flow/cells/memory.hpp"
 #include "forming/flow/contact/grip.hpp"
 
 namespace parison::flow {
@@ -37,6 +38,7 @@ void update_viscosity(const Problem& problem, const Eigen::VectorXd& velocity, D
   add_grips(*problem.mesh, discretisation.grip_resistance, discretisation.cells);
   if (!problem.expansion_rate.empty())
     discretisation.expansion_load = expansion_load(problem, discretisation.geometry, discretisation.viscosity);
+  if (problem.memory) discretisation.expansion_load = memory_load(problem, discretisation.geometry);
 }
 
 Discretisation discretise(const Problem& problem) {

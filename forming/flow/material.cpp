@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/material.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/math/dual.hpp"
@@ -36,6 +37,12 @@ Number log_factor(const Carreau& law, const Number& squared_rate) {
 }
 
 }  // namespace
+
+double Viscosity::equilibrium_logarithm(double temperature) const {
+  if (table) return (*table)(temperature).logarithm;
+  constexpr double nearest = 1;  // K, to T0: such glass does not flow
+  return constant ? std::log(*constant) : std::log(10) * (A + B / std::max(temperature - T0, nearest));
+}
 
 bool Viscosity::is_capped(double temperature) const {
   if (table) return (*table)(temperature).logarithm >= std::log(10) * max_log10;

@@ -17,6 +17,8 @@ struct Viscosity {
 
   /// eta, Pa.s, at a temperature in K.
   double operator()(double temperature) const;
+  /// ln eta, eta in Pa.s, of glass in equilibrium at a temperature in K: without that limit.
+  double equilibrium_logarithm(double temperature) const;
   /// Whether glass of a temperature should be stiffer than this law lets it be.
   bool is_capped(double temperature) const;
   /// d eta / dT, Pa.s/K.

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -43,6 +44,19 @@ struct ContactCandidate {
   double recovery = 0;                      ///< part of the rate that takes a penetrated node out of the tool, m/s
 };
 
+/// A symmetric tensor in the section: rr, zz, hoop, rz; in planar scenes xx, yy, normal to the section, xy.
+using SectionTensor = std::array<double, 4>;
+
+/// Glass with a memory over one step: its deviatoric stress at the end is `stress` + 2 `viscosity` dev D, with D the
+/// mean rate of deformation, and div v = `expansion_rate` + (`pressure` - p)/`bulk`. Points: cells x cell_points.
+struct StressMemory {
+  std::vector<double> viscosity;       ///< secant of the step, at each point, Pa.s
+  double bulk;                         ///< bulk modulus times the step, Pa.s
+  std::vector<SectionTensor> stress;   ///< deviator that the stress before leaves, at each point, Pa
+  Eigen::VectorXd pressure;            ///< at the start, at each vertex, Pa
+  std::vector<double> expansion_rate;  ///< at each point, 1/s
+};
+
 /// Quasi-static creeping flow (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g + f = 0, div v = dilatation_rate +
 /// e, with D the symmetric gradient, e the expansion rate, no inertia.
 struct Problem {
@@ -52,6 +66,7 @@ struct Problem {
   const Eigen::VectorXd* temperature;             ///< per node, K
   std::function<double(const Point&)> viscosity;  ///< Pa.s at a position; none: the material's
   std::function<Point(const Point&)> force;       ///< body force f at a position, N/m3; none: zero
+  const StressMemory* memory = nullptr;           ///< in place of viscosity and expansion rate; null: none
   std::vector<bool> frozen;                       ///< per cell: solidified, with a raised viscosity; empty: no cell
   double gravity = 0;                             ///< along the axis, m/s2
   double dilatation_rate = 0;  ///< prescribed div v everywhere, 1/s: offsets the volume error of finite time steps

@@ -27,6 +27,7 @@ TEST(Architecture, every_include_points_down_the_layers) {
       {"contact", {"contact", "core"}},
       {"remesh", {"remesh", "core"}},
       {"forming/flow", {"forming/flow", "core"}},
+      {"forming/cooling", {"forming/cooling", "forming/flow", "core"}},
       {"forming/scene", {"forming/scene", "forming/flow", "thermal", "contact", "core"}},
       {"forming/state", {"forming/state", "forming/scene", "forming/flow", "thermal", "contact", "remesh", "core"}},
       {"forming/step",

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mesh/element.hpp"
+#include "forming/flow/cells/memory.hpp"
 
 namespace parison::flow {
 
@@ -39,7 +40,7 @@ BatchWeights batch_weights(const Problem& problem, const CellGeometry& geometry,
     for (int lane = 0; lane < batch_size; ++lane) eta[lane] = viscosity[geometry.cell(batch, lane) * cell_points + q];
     weights[q].viscous = eta * at.volume;
     weights[q].ring = 2 * weights[q].viscous * at.hoop * at.hoop;
-    weights[q].compliance = at.volume / (bulk_ratio * eta);
+    weights[q].compliance = problem.memory ? at.volume / problem.memory->bulk : at.volume / (bulk_ratio * eta);
     for (int a = 0; a < dim; ++a) weights[q].force[a] = weight[a] * at.volume;
     for (int lane = 0; density.size() > 0 && lane < batch_size; ++lane)
       for (auto& force : weights[q].force) force[lane] *= density[geometry.cell(batch, lane) * cell_points + q];
@@ -194,6 +195,7 @@ CellMatrix CellMatrices::of(Index cell) const {
 
 std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& geometry,
                                     const Eigen::VectorXd& velocity) {
+  if (problem.memory) return problem.memory->viscosity;
   const auto& mesh = *problem.mesh;
   std::vector<double> viscosity(mesh.cells().size() * cell_points);
   Eigen::Map<Eigen::ArrayXd> at_points(viscosity.data(), Index(viscosity.size()));
@@ -232,6 +234,7 @@ CellMatrices cell_matrices(const Problem& problem, const CellGeometry& geometry,
     const auto weights = batch_weights(problem, geometry, batch, viscosity, density);
     set_batch(shapes, &geometry.at(batch, 0), weights, cells.batches[batch].matrix, cells.batches[batch].load);
   }
+  if (problem.memory) leave_out_dilatation(problem, geometry, viscosity, cells);
   return cells;
 }
 

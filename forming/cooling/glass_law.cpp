@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/cooling/glass_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parison::cooling {
+
+namespace {
+
+/// Change of ln viscosity within a part of a step, and the most parts that a step is divided into: 1e3 to 1e15 Pa.s is
+/// 28 of them at most.
+constexpr double log_change = 1;
+constexpr int most_parts = 64;
+
+/// exp(-q) of each branch, and the mean of exp(-q s) over s from 0 to 1.
+struct Decay {
+  Branches left, mean;
+
+  explicit Decay(const Branches& q) : left((-q).exp()) {
+    constexpr double small = 1e-5;  // below it the series to second order has all digits
+    mean = (q > small).select((1 - left) / q.max(small), 1 - q / 2 + q * q / 6);
+  }
+};
+
+/// Fictive temperatures after a time of dt, s, in which the temperature goes straight from `from` to `to`, K, and a
+/// branch relaxes by `q`.
+Branches follow(const Branches& fictive, const Decay& decay, double from, double to) {
+  return fictive * decay.left + from * (1 - decay.left) + (to - from) * (1 - decay.mean);
+}
+
+}  // namespace
+
+Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, double to, double dt) {
+  const Branches& weight = law.structure.weight;
+  const double modulus = law.shear_modulus(), start = (weight * fictive).sum();
+  const double change = std::abs(law.log_viscosity(to, start) - law.log_viscosity(from, start));
+  const int parts = std::clamp(static_cast<int>(std::ceil(change / log_change)), 1, most_parts);
+  Relaxation result{Branches::Ones(), Branches::Zero(), fictive, 0};
+  for (int part = 0; part < parts; ++part) {
+    const double here = from + (to - from) * part / parts, next = from + (to - from) * (part + 1) / parts;
+    const double before = (weight * result.fictive).sum();
+    double middle = before, relaxed = 0;
+    Branches after;
+    constexpr int passes = 3;  // the second is of second order, the third hardly changes it
+    for (int pass = 0; pass < passes; ++pass) {
+      relaxed = dt / parts * modulus / std::exp(law.log_viscosity(0.5 * (here + next), middle));
+      after = follow(result.fictive, Decay(relaxed / law.structure.time), here, next);
+      middle = 0.5 * (before + (weight * after).sum());
+    }
+    const Decay shear(relaxed / law.shear.time);
+    result.kept *= shear.left;
+    result.modulus = result.modulus * shear.left + modulus / parts * law.shear.weight * shear.mean;
+    result.fictive = after;
+  }
+  const double structure = (weight * result.fictive).sum() - start;
+  result.strain = law.solid_expansion * (to - from) + (law.liquid_expansion - law.solid_expansion) * structure;
+  return result;
+}
+
+}  // namespace parison::cooling

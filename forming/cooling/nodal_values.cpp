@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/cooling/nodal_values.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <vector>
+
+#include "core/mesh/cell_batch.hpp"
+
+namespace parison::cooling {
+
+using core::cell_points;
+using core::Index;
+using core::Point;
+
+namespace {
+
+using Terms = Eigen::Matrix<double, 6, 1>;
+
+/// What a function at the points of a cell is in its straight functions: the nearest of them, at the points.
+Eigen::Matrix<double, cell_points, cell_points> straight_part() {
+  const auto& linear = core::cell_shapes<3>().value;
+  Eigen::Matrix<double, 3, cell_points> weighted;
+  for (int q = 0; q < cell_points; ++q) weighted.col(q) = core::triangle_rule(4)[q].weight * linear.row(q).transpose();
+  const Eigen::Matrix3d mass = weighted * linear;
+  return linear * mass.inverse() * weighted;
+}
+
+/// 1, x, y, x^2, x y, y^2 at a place, in units of a size about a centre.
+Terms terms_at(const Point& place, const Point& centre, double size) {
+  const Point x = (place - centre) / size;
+  Terms terms;
+  terms << 1, x[0], x[1], x[0] * x[0], x[0] * x[1], x[1] * x[1];
+  return terms;
+}
+
+/// A quadratic function of each component around a vertex.
+struct Patch {
+  Point centre;
+  double size;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients;
+
+  Eigen::VectorXd at(const Point& place) const { return coefficients.transpose() * terms_at(place, centre, size); }
+};
+
+using Neighbours = std::vector<std::vector<Index>>;
+
+Neighbours cells_of_vertices(const core::Mesh& mesh) {
+  Neighbours cells(mesh.vertex_count());
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (int v = 0; v < 3; ++v) cells[mesh.cells()[c][v]].push_back(c);
+  return cells;
+}
+
+/// The cells around a vertex and those that share a vertex with them.
+std::vector<Index> cells_near(const core::Mesh& mesh, const Neighbours& around, Index vertex) {
+  std::vector<Index> near;
+  for (const Index cell : around[vertex])
+    for (int v = 0; v < 3; ++v) {
+      const auto& more = around[mesh.cells()[cell][v]];
+      near.insert(near.end(), more.begin(), more.end());
+    }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
+std::vector<Point> place_of_points(const core::Mesh& mesh) {
+  const auto& shape = core::cell_shapes<6>().value;
+  std::vector<Point> places;
+  for (const auto& cell : mesh.cells())
+    for (int q = 0; q < cell_points; ++q) {
+      Point place = Point::Zero();
+      for (int i = 0; i < 6; ++i) place += shape(q, i) * mesh.nodes[cell[i]];
+      places.push_back(place);
+    }
+  return places;
+}
+
+/// The function whose straight parts in some cells are nearest to the values at their points: stress has these alone. A
+/// trace of the sum of squares gives one where the cells are so few that it is not determined.
+Patch fit(const Point& centre, const std::vector<Index>& cells, const std::vector<Point>& places,
+          const Eigen::Map<const Eigen::MatrixXd>& values) {
+  constexpr double trace = 1e-9;
+  Patch patch{centre, 0, {}};
+  for (const Index c : cells)
+    for (int q = 0; q < cell_points; ++q)
+      patch.size = std::max(patch.size, (places[c * cell_points + q] - centre).norm());
+  Eigen::Matrix<double, 6, 6> squares = trace * Eigen::Matrix<double, 6, 6>::Identity();
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(6, values.rows());
+  static const auto straight = straight_part();
+  for (const Index c : cells) {
+    Eigen::Matrix<double, cell_points, 6> terms;
+    for (int q = 0; q < cell_points; ++q)
+      terms.row(q) = terms_at(places[c * cell_points + q], centre, patch.size).transpose();
+    terms = straight * terms;
+    squares += terms.transpose() * terms;
+    sums += terms.transpose() * values.middleCols(c * cell_points, cell_points).transpose();
+  }
+  patch.coefficients = squares.ldlt().solve(sums);
+  return patch;
+}
+
+}  // namespace
+
+Eigen::VectorXd to_nodes(const core::Mesh& mesh, const Eigen::VectorXd& at_points, Index components) {
+  const Eigen::Map<const Eigen::MatrixXd> values(at_points.data(), components, at_points.size() / components);
+  const Neighbours around = cells_of_vertices(mesh);
+  const std::vector<Point> places = place_of_points(mesh);
+  std::vector<Patch> patches;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    patches.push_back(fit(mesh.nodes[v], cells_near(mesh, around, v), places, values));
+  Eigen::MatrixXd result(components, mesh.node_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) result.col(v) = patches[v].at(mesh.nodes[v]);
+  for (const auto& cell : mesh.cells())
+    for (int i = 0; i < 3; ++i) {
+      const Index middle = cell[3 + i];
+      const Point& place = mesh.nodes[middle];
+      result.col(middle) = 0.5 * (patches[cell[i]].at(place) + patches[cell[(i + 1) % 3]].at(place));
+    }
+  return Eigen::Map<const Eigen::VectorXd>(result.data(), result.size());
+}
+
+}  // namespace parison::cooling
