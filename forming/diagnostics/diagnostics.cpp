@@ -62,7 +62,9 @@ Diagnostics first_diagnostics(const Scene& scene, const State& start) {
 
 void follow(const Scene& scene, const State& before, const StepResult& step, Diagnostics& seen) {
   if (scene.has_heat()) follow_heat(scene, before, step, seen);
-  if (scene.has_flow()) follow_flow(scene, before, step, seen);
+  const bool cools = scene.stages[before.stage].cools;
+  if (cools) follow_cooling(step.state, seen.cooling);
+  if (scene.has_flow() && !cools) follow_flow(scene, before, step, seen);
   if (has_moved(scene, before, step.state)) follow_glass_in_tools(scene, step.state, seen.in_tools);
   for (std::size_t b = 0; b < seen.tables.size(); ++b)
     follow_tables(scene, step.state, Index(b), step.report.dt, seen.tables[b]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "forming/diagnostics/contact_skin.hpp"
+#include "forming/diagnostics/cooling_seen.hpp"
 #include "forming/diagnostics/extremes.hpp"
 #include "forming/diagnostics/flow_work.hpp"
 #include "forming/diagnostics/glass_in_tools.hpp"
@@ -27,6 +28,7 @@ struct Diagnostics {
   GlassInTools in_tools;
   FlowWork work;
   LightSamples light;
+  CoolingSeen cooling;
   double max_drift = 0;          ///< of the glass volume at any step, relative to the start, without sign
   double off_axis = 0;           ///< largest correction of nodes beyond a line of symmetry in a step, m
   double max_flux_mismatch = 0;  ///< between heat out of the glass and into a tool at any step, relative
@@ -57,6 +59,7 @@ void visit_diagnostics(Visitor visit, Seen& seen) {
   visit_glass_in_tools(visit.part("in_tools"), seen.in_tools);
   visit_flow_work(visit.part("work"), seen.work);
   visit_light_samples(visit.part("light"), seen.light);
+  visit_cooling(visit.part("cooling"), seen.cooling);
   visit("max_drift", seen.max_drift);
   visit("off_axis", seen.off_axis);
   visit("max_flux_mismatch", seen.max_flux_mismatch);

@@ -128,7 +128,8 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
   result.geometry = scene.geometry;
   result.surface_size = accuracy.surface_size;
   result.skin_size = accuracy.skin_size;
-  result.elements_across = accuracy.elements_across;
+  constexpr double more_across = 2;  // where the stress through the wall is wanted
+  result.elements_across = accuracy.elements_across * (scene.stages[state.stage].cools ? more_across : 1);
   result.growth = edge_growth;
   result.min_size = min_edge_fraction * accuracy.skin_size;
   result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);

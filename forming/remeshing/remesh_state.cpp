@@ -146,7 +146,7 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
       if (field.transfer == TransferRule::interpolate && values.size() > 0)
         values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
     }
-    if (field.transfer == TransferRule::reset) {
+    if (field.transfer == TransferRule::reset && values.size() > 0) {
       values.resize(field.components * place_count(field.location, mesh));
       std::fill(values.begin(), values.end(), field.at_rest());
     }
@@ -267,6 +267,26 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
   return result;
 }
 
+namespace {
+
+/// Brings the tools that first serve in a stage that cools under the glass, so that they touch it.
+void place_under_glass(const Scene& scene, Index stage, State& state) {
+  const Stage& cooling = scene.stages[stage];
+  if (!cooling.cools || cooling.gravity == 0) return;
+  const double down = cooling.gravity > 0 ? 1 : -1;
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (const Point& x : state.glass.mesh.nodes) lowest = std::max(lowest, down * x[dim - 1]);
+  for (const StageTool& entry : cooling.tools) {
+    if (first_use(scene, entry.tool) != stage) continue;
+    double top = std::numeric_limits<double>::infinity();
+    for (const core::Segment& segment : scene.tools[entry.tool].profile.segments)
+      top = std::min({top, down * segment.start[dim - 1], down * segment.end[dim - 1]});
+    state.tools[entry.tool].offset = down * (lowest - top);
+  }
+}
+
+}  // namespace
+
 State start_stage(const Scene& scene, const State& state, Index stage) {
   State next = state;
   next.stage = stage;
@@ -288,6 +308,7 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   });
   next.glass.active_contacts = {};
   for (ToolState& tool : next.tools) tool.velocity = tool.slowing = tool.force = tool.end_force = 0;
+  place_under_glass(scene, stage, next);
   for (const auto& named : scene.stages[stage].named_boundaries) name_boundary(scene, state, named, next.glass.mesh);
   return next;
 }

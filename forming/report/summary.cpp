@@ -14,6 +14,7 @@
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
 #include "forming/report/contour/contour.hpp"
+#include "forming/report/cooling/residual_stress.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/files/interface_rows.hpp"
 #include "forming/report/process/mould_filling.hpp"
@@ -21,6 +22,7 @@
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/step/cooling/cooling_step.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -232,6 +234,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_flags(json, summary.flags);
   add_checks(json, summary.run.checks, summary.run.completed);
   add_container(json, scene, state, summary.no_wall.empty());
+  add_cooling(json, scene, state, summary);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);
@@ -260,7 +263,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.thickness = thickness_range(profile.rows);
   summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
-  summary.outer_within_02mm = share_near_tools(scene, state, profile.outer_edges);
+  summary.outer_within_02mm =
+      remembers(state) ? std::numeric_limits<double>::quiet_NaN() : share_near_tools(scene, state, profile.outer_edges);
   const std::vector<Extreme>& hottest = run.diagnostics.extremes.tools;
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const ToolState& body = state.tools[i];

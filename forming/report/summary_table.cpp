@@ -7,6 +7,7 @@
 #include "forming/report/cavity_report.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/report/container/container_report.hpp"
+#include "forming/report/cooling/residual_stress.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/model_bars.hpp"
 #include "forming/report/quantity_labels.hpp"
@@ -70,6 +71,7 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
   text += thickness_lines(summary);
   const std::string capacity = capacity_text(scene, state, summary.no_wall.empty());
   if (!capacity.empty()) text += line("capacity", capacity);
+  for (const auto& [label, found] : cooling_lines(scene, state, summary)) text += line(label, found);
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface",
                  fmt::format("{:.1f} % within 0.2 mm of the active tools", 100 * summary.outer_within_02mm));

@@ -25,22 +25,26 @@ namespace {
 void report_step(RunInProgress& run, const AcceptedStep& step) {
   const State& state = run.outcome.state;
   notify(run, &RunObserver::step_taken, step.before, step.report);
-  for (const double time : outputs_due(run.scene, step.before.time, state.time))
+  for (const double time : outputs_due(run.scene, step.before.stage, step.before.time, state.time))
     notify(run, &RunObserver::fields_due, interpolate(step.before, state, time));
   if (stage_end(run.scene, state) != StageEnd::none)
     notify(run, &RunObserver::fields_due, interpolate(step.before, state, state.time));
 }
 
+bool is_cooling(const RunInProgress& run) {
+  return run.scene.stages[run.outcome.state.stage].cools;
+}
+
 /// Whether glass between tools is too thin to go on; the reason goes into the facts.
 bool is_too_thin(RunInProgress& run) {
-  if (!run.scene.has_flow()) return false;
+  if (!run.scene.has_flow() || is_cooling(run)) return false;
   run.outcome.facts.reason = film_failure(run.scene, run.outcome.state);
   return !run.outcome.facts.reason.empty();
 }
 
 /// Whether the run has no use to go on; the reason goes into the facts.
 bool is_stalled(RunInProgress& run, StallWatch& watch) {
-  if (!run.scene.has_flow()) return false;
+  if (!run.scene.has_flow() || is_cooling(run)) return false;
   run.outcome.facts.reason = watch.reason(run.scene, run.outcome.state, run.outcome.facts.diagnostics);
   return !run.outcome.facts.reason.empty();
 }

@@ -9,6 +9,7 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/remeshing/named_boundary.hpp"
 #include "forming/remeshing/remesh_state.hpp"
+#include "forming/report/container/container_report.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/run/room_in_tool.hpp"
 #include "forming/run/step_loop.hpp"
@@ -16,6 +17,7 @@
 #include "forming/state/initial_state.hpp"
 #include "forming/step/contact/carrier.hpp"
 #include "forming/step/contact/penetration.hpp"
+#include "forming/step/cooling/cooling_step.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
@@ -71,6 +73,17 @@ bool remesh_at_start(RunInProgress& run, Index stage) {
   return true;
 }
 
+/// Lets the glass cool from here on, and notes the container as it is.
+void start_cooling(RunInProgress& run) {
+  CoolingSeen& seen = run.outcome.facts.diagnostics.cooling;
+  if (const auto container = container_report(run.scene, run.outcome.state, true)) {
+    seen.capacity = container->capacity.value_or(0);
+    seen.height = container->size.height;
+    seen.diameter = container->size.diameter;
+  }
+  begin_cooling(run.outcome.state);
+}
+
 }  // namespace
 
 std::string after_press(const RunFacts& facts, const std::string& failure) {
@@ -90,8 +103,10 @@ bool begin_stage(RunInProgress& run, Index stage) {
   const bool good = reason.empty();
   notify(run, &RunObserver::stage_begins);
   if (stage == 0) notify(run, &RunObserver::fields_due, state);
-  const bool keeps_mesh = !run.scene.has_flow() || (stage == 0 && has_own_mesh(run.scene.glass));
+  const bool cools = run.scene.stages[stage].cools, goes_on = cools && remembers(state);
+  const bool keeps_mesh = !run.scene.has_flow() || goes_on || (stage == 0 && has_own_mesh(run.scene.glass));
   if (!good || !(keeps_mesh || remesh_at_start(run, stage))) return false;
+  if (cools && !goes_on) start_cooling(run);
   if (stage == 0) add_warnings(start_field_warnings(run.scene, state), run.outcome.facts);
   return true;
 }

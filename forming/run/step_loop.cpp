@@ -139,7 +139,9 @@ class RefusedEdges {
 /// Refuses a step that ends with a film too thin to go on and is so long that shorter ones may come to the end of the
 /// stage before that: a film closes with the speed of the tools, whatever the rest of the glass allows.
 void refuse_closed_film(const Scene& scene, double dt, StepResult& result) {
-  if (!result.converged || !scene.has_flow() || dt <= scene.accuracy.initial_step) return;
+  if (!result.converged || !scene.has_flow() || scene.stages[result.state.stage].cools ||
+      dt <= scene.accuracy.initial_step)
+    return;
   const std::string film = film_failure(scene, result.state);
   if (film.empty()) return;
   result.converged = false;
@@ -228,12 +230,12 @@ bool advance(RunInProgress& run, AcceptedStep& step) {
     run.outcome.facts.reason = falling;
     return false;
   }
-  if (scene.has_flow() && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality))
-    return false;
+  const bool may_remesh = scene.has_flow() && !scene.stages[run.outcome.state.stage].cools;
+  if (may_remesh && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality)) return false;
   if (step_once(run, step)) return true;
   if (run.outcome.facts.stopped) return false;
   // A mesh that is still sound may be what holds the step back.
-  return scene.has_flow() && remesh_glass(run, RemeshReason::failed_step) && step_once(run, step);
+  return may_remesh && remesh_glass(run, RemeshReason::failed_step) && step_once(run, step);
 }
 
 }  // namespace parison::forming

@@ -28,6 +28,7 @@ bool is_length(const Setting& setting) {
 }
 
 double longest_step(const Scene& scene, const Stage& stage) {
+  if (stage.cools) return stage.duration;
   constexpr double usual = 20;  // s
   const double step = scene.accuracy.max_step;
   return scene.accuracy_origin.count("max_step") ? step : step * std::max(1.0, stage.duration / usual);
@@ -36,7 +37,8 @@ double longest_step(const Scene& scene, const Stage& stage) {
 double usual_output_interval(const Scene& scene) {
   constexpr double usual = 0.1, outputs = 600;  // s
   double duration = 0;
-  for (const Stage& stage : scene.stages) duration += stage.duration;
+  for (const Stage& stage : scene.stages)
+    if (!stage.cools) duration += stage.duration;
   return std::max(usual, duration / outputs);
 }
 

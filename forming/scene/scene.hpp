@@ -18,6 +18,7 @@
 #include "core/io/input_file.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
+#include "forming/cooling/glass_law.hpp"
 #include "forming/flow/material.hpp"
 #include "forming/scene/accuracy.hpp"
 #include "forming/scene/radiation_choice.hpp"
@@ -89,6 +90,7 @@ struct GobSkin {
 /// The body that flows; always body 0. Without `flow` it does not move.
 struct Glass : Body {
   std::optional<flow::Material> flow;
+  std::optional<cooling::GlassLaw> annealing;  ///< none: it cannot cool
   FilmLimit film;
   std::optional<GobSkin> skin;  ///< at the start; initial_temperature is that of the core
 
@@ -203,7 +205,8 @@ struct TimedStage {
 
 struct Stage {
   std::string name;
-  double duration;  ///< s; the longest when an end condition is given
+  bool cools = false;  ///< the glass remembers its stress, and keeps its mesh
+  double duration;     ///< s; the longest when an end condition is given
   /// The event that ends the stage, s since the start of the run, wherever the stages before have ended.
   std::optional<double> end_time;
   std::optional<TimedStage> timed;

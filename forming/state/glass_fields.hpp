@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
+#include "forming/cooling/glass_law.hpp"
 
 namespace parison::forming {
 
@@ -24,13 +25,16 @@ struct GlassFields {
   Eigen::VectorXd contact_pressure;  ///< zero where nothing presses; after a new mesh, what edges had between nodes too
   std::vector<Index> contact_tool;   ///< index into Scene::tools of the tool that presses on the node, -1 where none
   std::vector<Index> previous_contact_tool;  ///< the same a step earlier
+  Eigen::VectorXd branch_stress;             ///< of glass that cools: cooling::GlassMemory
+  Eigen::VectorXd fictive_temperature;       ///< likewise, of each branch
+  Eigen::VectorXd mean_pressure;             ///< likewise
   Eigen::VectorXd contact_opening;  ///< of the gap to a tool beyond that at first touch; zero where nothing touches
 };
 
 /// Where the values of a field belong.
 enum class Location { node, quadrature_point };
 /// What a scene must have for the field to exist.
-enum class Needs { nothing, heat_or_flow, flow, gap_law };
+enum class Needs { nothing, heat_or_flow, flow, gap_law, cooling };
 /// How the field gets to a new mesh: with the heat content kept, by interpolation, by interpolation or projection along
 /// the surface, from the nearest surface node in contact, or not at all.
 enum class TransferRule {
@@ -110,6 +114,14 @@ inline constexpr auto glass_fields = std::make_tuple(
     FieldDeclaration("contact_pressure", "Pa", Location::node, 1, Needs::nothing, TransferRule::project_along_surface,
                      StageStart::reset_without_tool, WithinStep::of_middle, FieldOutput::value, "contact_pressure_Pa",
                      &GlassFields::contact_pressure),
+    FieldDeclaration("branch_stress", "Pa", Location::quadrature_point, 4 * cooling::branches, Needs::cooling,
+                     TransferRule::reset, StageStart::keep, WithinStep::of_step, FieldOutput::none, "",
+                     &GlassFields::branch_stress),
+    FieldDeclaration("fictive_temperature", "K", Location::quadrature_point, cooling::branches, Needs::cooling,
+                     TransferRule::reset, StageStart::keep, WithinStep::of_step, FieldOutput::none, "",
+                     &GlassFields::fictive_temperature),
+    FieldDeclaration("mean_pressure", "Pa", Location::node, 1, Needs::cooling, TransferRule::reset, StageStart::keep,
+                     WithinStep::of_step, FieldOutput::none, "", &GlassFields::mean_pressure),
     FieldDeclaration("contact_opening", "m", Location::node, 1, Needs::gap_law, TransferRule::interpolate_along_surface,
                      StageStart::reset_without_tool, WithinStep::linear, FieldOutput::millimetre, "contact_opening_mm",
                      &GlassFields::contact_opening));

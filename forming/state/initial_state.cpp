@@ -80,6 +80,8 @@ bool exists(const Scene& scene, Needs needs) {
       return scene.has_flow();
     case Needs::gap_law:
       return scene.has_gap_law();
+    case Needs::cooling:
+      return false;  // until a stage cools the glass
     case Needs::heat_or_flow:
       return scene.has_heat() || scene.has_flow();
   }

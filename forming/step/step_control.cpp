@@ -57,8 +57,14 @@ double mean_work_error(const State& start, const StepReport& report) {
   return std::min(report.work_error, 0.5 * (report.work_error + start.last_work_error * ratio * ratio));
 }
 
-double next_output(const Scene& scene, double time) {
-  const double interval = scene.output.interval;
+/// s; the output of a stage that cools is even over its duration.
+double output_interval(const Scene& scene, Index stage) {
+  constexpr int outputs = 20;
+  return scene.stages[stage].cools ? scene.stages[stage].duration / outputs : scene.output.interval;
+}
+
+double next_output(const Scene& scene, Index stage, double time) {
+  const double interval = output_interval(scene, stage);
   double next =
       interval > 0 ? interval * (std::floor(time / interval + same_time) + 1) : std::numeric_limits<double>::infinity();
   for (const double t : scene.output.times)
@@ -163,15 +169,15 @@ double clip_step_to_event(const Scene& scene, const State& state, double propose
     left = std::min(left,
                     std::max(time_to_first_touch(scene, state, std::min(left, 2 * proposed)), scene.accuracy.min_step));
   else
-    left = std::min(left, next_output(scene, state.time) - state.time);
+    left = std::min(left, next_output(scene, state.stage, state.time) - state.time);
   if (left <= proposed * (1 + same_time)) return left;
   return left < 2 * proposed ? 0.5 * left : proposed;
 }
 
-std::vector<double> outputs_due(const Scene& scene, double from, double to) {
+std::vector<double> outputs_due(const Scene& scene, Index stage, double from, double to) {
   std::vector<double> due;
-  for (double t = next_output(scene, from); t <= to + same_time; t = next_output(scene, t))
-    due.push_back(to - t < same_time ? to : t);
+  const auto next = [&](double time) { return next_output(scene, stage, time); };
+  for (double t = next(from); t <= to + same_time; t = next(t)) due.push_back(to - t < same_time ? to : t);
   return due;
 }
 

@@ -28,8 +28,8 @@ bool rejected_for_work(const Scene& scene, const StepReport& report);
 /// nothing flows it is clipped to the next output time too; the heat integrator's own steps do not depend on that.
 double clip_step_to_event(const Scene& scene, const State& state, double proposed);
 
-/// Output times after `from` and not after `to`, s, in order.
-std::vector<double> outputs_due(const Scene& scene, double from, double to);
+/// Output times of a stage after `from` and not after `to`, s, in order; one that cools has its own.
+std::vector<double> outputs_due(const Scene& scene, Index stage, double from, double to);
 
 /// The condition by which a stage ends; `none` while it goes on.
 enum class StageEnd { none, duration, tools_at_rest, force, filled, surface_below, surface_above, lowest };

@@ -19,7 +19,9 @@ void add_case_options(CLI::App& command, RunRequest& request) {
       ->allow_extra_args(false);
 }
 
-int run_given(const RunRequest& request) {
+int run_given(const RunRequest& given) {
+  RunRequest request = given;
+  if (request.to_cold) request.overrides.insert(request.overrides.begin(), "cooling=standard");
   return request.later_counts ? run(request) : with_keys_once<RunRequest, run>(request);
 }
 
@@ -32,6 +34,8 @@ void add_run(CLI::App& app, Command& chosen) {
                     "exit code 0 also where a check is far beyond its limit: results not trustworthy");
   command->add_flag("--later-counts", request->later_counts, "of several --set of one value the last one counts")
       ->group("");  // for runs that other commands start
+  command->add_flag("--to-cold", request->to_cold,
+                    "go on after the last stage: dead plate, conveyor, lehr and cold end, to the cold container");
   command->add_flag("-v,--verbose", request->verbose, "first say all that `parison check` says");
   command->add_flag("--error-bars", request->error_bars, "estimate the error of each result by two coarser runs");
 }

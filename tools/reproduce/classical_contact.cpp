@@ -47,7 +47,7 @@ bool run_stage(const Scene& scene, const std::string& directory) {
     state.stage_time += report.dt;
     state.next_step = propose_step(scene, state, report, state.next_step).dt;
     files.row(history_row(scene, state, report), tool_line(scene, state, surfaces));
-    if (!outputs_due(scene, before, state.time).empty()) files.fields(state, report.interface);
+    if (!outputs_due(scene, state.stage, before, state.time).empty()) files.fields(state, report.interface);
   }
   return true;
 }

@@ -26,10 +26,12 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   // What the glass lost of its volume as it cooled in the mould, its capacity gained.
   const double drawn = *plan.capacity + state.glass.initial_volume - core::volume(state.glass.mesh, scene.geometry);
   constexpr double millilitre = 1e-6;
-  checks.push_back({"capacity", std::abs(*formed->capacity / drawn - 1), most_doubt, no_limit, "%",
+  const double hot = facts.diagnostics.cooling.capacity;  // of a container that has cooled since
+  const double capacity = hot > 0 ? hot : *formed->capacity;
+  checks.push_back({"capacity", std::abs(capacity / drawn - 1), most_doubt, no_limit, "%",
                     fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "
                                 "does not fill its mould, has sunk, or an outline is not the one that is meant",
-                                *formed->capacity / millilitre, drawn / millilitre)});
+                                capacity / millilitre, drawn / millilitre)});
 }
 
 std::string hot_glass_text(const Scene& scene, const HotGlass& hottest) {

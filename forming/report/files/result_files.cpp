@@ -16,6 +16,7 @@
 #include "core/io/written_files.hpp"
 #include "core/mesh/element.hpp"
 #include "core/process/run_error.hpp"
+#include "forming/report/cooling/residual_stress.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/files/interface_rows.hpp"
@@ -94,6 +95,7 @@ core::VtuFields glass_output(const Scene& scene, const State& state) {
   if (scene.has_heat())
     fields.nodal.push_back(
         {"heat_flux_W_m2", conducted_flux(glass.mesh, scene.geometry, *scene.glass.thermal, glass.temperature, wall)});
+  add_stress_fields(scene, glass, fields);
   return fields;
 }
 

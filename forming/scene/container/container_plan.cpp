@@ -205,14 +205,14 @@ double plunger_volume(const Scene& scene, const PressPlan& press, double low, do
 
 /// Whether the plunger of the press is still in the last stage.
 bool keeps_plunger(const Scene& scene, const ContainerPlan& plan) {
-  const auto& tools = scene.stages.back().tools;
+  const auto& tools = last_forming_stage(scene).tools;
   return plan.press && std::any_of(tools.begin(), tools.end(),
                                    [&](const StageTool& entry) { return entry.tool == plan.press->tool; });
 }
 
 /// Rim, capacity and what it holds to the fill level.
 void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan) {
-  const Stage& last = scene.stages.back();
+  const Stage& last = last_forming_stage(scene);
   if (last.gravity == 0) return;
   const bool rim_is_low = last.gravity > 0;
   const auto mould = keeps_plunger(scene, plan) ? std::nullopt : closed_region(placed, last, {});
@@ -247,7 +247,7 @@ void plan_parison(const Scene& scene, const Placed& placed, ContainerPlan& plan)
     return;
   }
   Index mould = 0;  // first use of the tool of the last stage that comes last
-  for (const StageTool& entry : scene.stages.back().tools) mould = std::max(mould, first_use(scene, entry.tool));
+  for (const StageTool& entry : last_forming_stage(scene).tools) mould = std::max(mould, first_use(scene, entry.tool));
   for (Index i = mould - 1; i >= 0; --i) {
     const Stage& stage = scene.stages[static_cast<std::size_t>(i)];
     const bool is_blown = std::any_of(stage.pressure.begin(), stage.pressure.end(),
@@ -267,7 +267,7 @@ double difference_by_chords(const Scene& scene, Placed placed, const ContainerPl
     return other ? std::abs(other->volume / volume - 1) : 1;
   };
   double largest = 0;
-  if (plan.outside) largest = difference(*plan.outside, closed_region(placed, scene.stages.back(), {}));
+  if (plan.outside) largest = difference(*plan.outside, closed_region(placed, last_forming_stage(scene), {}));
   if (!plan.press) return largest;
   for (std::size_t i = 0; i < plan.press->offsets.size(); ++i) placed.offset[i] = plan.press->offsets[i];
   const Stage& stage = scene.stages[plan.press->stage];
@@ -302,6 +302,12 @@ std::optional<double> full_offset(const Scene& scene, const std::vector<double>&
   plan_driven(press, sense_of(std::get<ForceMotion>(entry->motion)), plan);
   if (!plan.press) return {};
   return plan.press->stop;
+}
+
+const Stage& last_forming_stage(const Scene& scene) {
+  const auto found =
+      std::find_if(scene.stages.rbegin(), scene.stages.rend(), [](const Stage& one) { return !one.cools; });
+  return found == scene.stages.rend() ? scene.stages.back() : *found;
 }
 
 std::optional<ContainerPlan> plan_container(const Scene& scene) {

@@ -39,7 +39,7 @@ std::string why_no_press(const Scene& scene, const ContainerPlan& plan) {
 }
 
 std::string why_no_capacity(const Scene& scene, const ContainerPlan& plan) {
-  const Stage& last = scene.stages.back();
+  const Stage& last = last_forming_stage(scene);
   if (last.gravity == 0)
     return fmt::format("not known: the last stage, \"{}\", has no gravity that says which end is the rim", last.name);
   if (plan.press) return "none: the glass of the press cavity has no hollow that would hold a liquid as it stands";
@@ -67,7 +67,8 @@ std::string describe_container(const Scene& scene) {
   } else if (const std::string why = why_no_press(scene, *plan); !why.empty())
     line("press cavity", why);
   if (plan->outside)
-    line("mould", fmt::format("{:.5g} cm3 closed in stage \"{}\"", 1e6 * *plan->outside, scene.stages.back().name));
+    line("mould",
+         fmt::format("{:.5g} cm3 closed in stage \"{}\"", 1e6 * *plan->outside, last_forming_stage(scene).name));
   if (plan->capacity)
     line("capacity", fmt::format("{:.5g} ml to the rim at {:.4g} mm", 1e6 * *plan->capacity, 1e3 * *plan->rim));
   else if (forms_a_container(scene))

@@ -94,6 +94,11 @@ bool is_of_material(const std::string& assignment) {
   return core::trimmed(assignment).rfind("material.", 0) == 0;
 }
 
+/// Whether an assignment is to the top-level key `cooling`.
+bool is_of_cooling(const std::string& assignment) {
+  return core::trimmed(assignment).rfind("cooling=", 0) == 0;
+}
+
 }  // namespace
 
 const std::vector<NamedMaterial>& library_materials() {
@@ -137,9 +142,14 @@ core::CaseFile read_case(const std::string& path, const std::vector<std::string>
                          std::vector<std::string>* used) {
   core::CaseFile file = core::read_case_file(path);
   std::vector<std::string> names = add_library_materials(file);
+  for (const std::string& assignment : overrides)  // its stages may be set themselves
+    if (is_of_cooling(assignment)) core::override_value(file, assignment);
+  add_standard_cooling(file);
+  for (std::string& name : add_library_materials(file)) names.push_back(std::move(name));
   for (const bool in_materials : {false, true}) {  // what names a material goes before what changes it
     for (const std::string& assignment : overrides)
-      if (is_of_material(assignment) == in_materials) core::override_value(file, assignment);
+      if (is_of_material(assignment) == in_materials && !is_of_cooling(assignment))
+        core::override_value(file, assignment);
     for (std::string& name : add_library_materials(file)) names.push_back(std::move(name));
   }
   file.overrides = overrides;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/case/case_file.hpp"
+#include "forming/cooling/glass_law.hpp"
 #include "forming/flow/material.hpp"
 #include "thermal/properties.hpp"
 
@@ -25,6 +26,7 @@ struct NamedMaterial {
   std::string name;
   std::optional<thermal::Material> thermal;
   std::optional<flow::Material> flow;
+  std::optional<cooling::GlassLaw> annealing;
   core::Table emissivity =
       core::constant(0);        ///< over temperature, K; by itself that of an opaque surface of its glass
   bool has_emissivity = false;  ///< whether the case gives it
@@ -45,6 +47,10 @@ std::string library_entry(const std::string& name);
 /// Gives a case the bundled materials that its glass and tools name and it has not itself, and the values that a
 /// material `like` one of them does not give. Returns the names of those used.
 std::vector<std::string> add_library_materials(core::CaseFile& file);
+
+/// Puts the stages of a usual end of cooling, and the plate that it stands on, behind those of a case whose key
+/// `cooling` is "standard"; nothing without the key.
+void add_standard_cooling(core::CaseFile& file);
 
 /// A case with what is set in it, also in the bundled materials that it then names. `used` gets their names.
 core::CaseFile read_case(const std::string& path, const std::vector<std::string>& overrides,

@@ -232,6 +232,7 @@ Glass read_glass(const CaseNode& node, const BodyContext& context) {
   const auto& material = find_material(table.get("material"), context, true);
   glass.thermal = material.thermal;
   glass.flow = material.flow;
+  glass.annealing = material.annealing;
   if (material.emissivity.y.size() > 1)
     core::refuse(
         table.get("material"),

@@ -161,6 +161,8 @@ void read_flow(const CaseTable& table, const Density& density, NamedMaterial& ma
   if (const auto* carreau = table.find("shear_thinning")) material.flow->shear_thinning = read_shear_thinning(*carreau);
   if (const auto* tension = table.find("surface_tension"))
     material.flow->surface_tension = core::not_negative(*tension, dimension::surface_tension);
+  if (const auto* annealing = table.find("annealing"))
+    material.annealing = read_annealing(*annealing, table, material.flow->viscosity);
 }
 
 /// Refuses a material that gives single values only, as if to change a bundled one.
@@ -186,7 +188,7 @@ core::Table read_emissivity(const CaseNode& node) {
 NamedMaterial read_material(const CaseNode& node) {
   const CaseTable table(
       node, {"density", "expansion", "heat_capacity", "conductivity", "radiation", "viscosity", "shear_thinning",
-             "surface_tension", "emissivity", "like", "about", "source", "assumed"});
+             "surface_tension", "annealing", "emissivity", "like", "about", "source", "assumed"});
   NamedMaterial material;
   material.name = core::identifier(core::key_of(node));
   read_notes(table, material);
@@ -198,7 +200,7 @@ NamedMaterial read_material(const CaseNode& node) {
     if (const auto* item = table.find(key); item && !material.thermal)
       core::refuse(
           *item, "the material carries no heat, this key is allowed only together with conductivity and heat_capacity");
-  for (const auto* key : {"shear_thinning", "surface_tension"})
+  for (const auto* key : {"shear_thinning", "surface_tension", "annealing"})
     if (const auto* item = table.find(key); item && !material.flow)
       core::refuse(*item, "the material does not flow, this key is allowed only together with viscosity");
   if (material.thermal && thermal::has_light(*material.thermal))

@@ -14,6 +14,10 @@ namespace parison::forming {
 /// Internal radiation of a material; nothing for the model "none".
 std::optional<thermal::Radiation> read_radiation(const core::CaseNode& node);
 
+/// How a glass anneals; `material` is its whole table, with its expansion.
+cooling::GlassLaw read_annealing(const core::CaseNode& node, const core::CaseTable& material,
+                                 const flow::Viscosity& viscosity);
+
 /// Puts a model into the place of `auto` in the radiation of the glass's material: the cheapest that keeps the model
 /// error asked for, by `within` or else by the accuracy, among those that the case has the keys of. Nothing where the
 /// case names its model.
@@ -77,6 +81,10 @@ struct CommonAir {
 Stage read_stage(const core::CaseNode& node, const CommonAir& common, Scene& scene);
 /// The machine's timing; every text of the case may name its events, as times, and the cycle.
 std::optional<Timing> read_timing(core::CaseFile& file, const std::vector<core::NamedDimension>& dimensions);
+/// Whether a stage forms or cools the glass, and what only one of them can have.
+void read_kind(const core::CaseTable& table, const Scene& scene, Stage& stage);
+/// Duration and air of a stage from the zones of a lehr and the speed of its belt.
+void read_lehr(const core::CaseNode& node, const core::CaseTable& table, Stage& stage);
 /// How long a stage lasts: its duration, or from one event of the timing until another.
 void read_times(const core::CaseTable& table, const Scene& scene, Stage& stage);
 /// The boundaries that a stage names.

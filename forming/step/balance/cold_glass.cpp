@@ -30,7 +30,7 @@ std::vector<double> shrinkage(const Scene& scene, const State& state) {
 }  // namespace
 
 std::optional<core::Mesh> cold_glass(const Scene& scene, const State& state) {
-  if (!follows_density(scene)) return {};
+  if (!follows_density(scene) || scene.stages[state.stage].cools) return {};
   core::Mesh mesh = state.glass.mesh;
   flow::Material uniform{};
   uniform.viscosity.constant = 1;

@@ -39,29 +39,37 @@ std::vector<double> conserving_rate(const StepStart& start, const core::Mesh& mi
 
 }  // namespace
 
+flow::Problem loaded_problem(const StepStart& start, const core::Mesh& middle, const Eigen::VectorXd& velocity,
+                             const std::vector<flow::ContactCandidate>& bounds) {
+  const Scene& scene = start.scene;
+  const State& state = start.state;
+  flow::Problem problem{};
+  problem.mesh = &middle;
+  problem.geometry = scene.geometry;
+  problem.material = &*scene.glass.flow;
+  problem.frozen = start.frozen;
+  problem.gravity = scene.stages[state.stage].gravity;
+  problem.boundary_conditions = boundary_conditions(scene, state, start.dt);
+  problem.tools = tool_motions(scene, state, start.dt);
+  problem.candidates = contact_candidates(scene, state, velocity, start.dt);
+  keep_bounds(bounds, problem.candidates);
+  keep_bounds(corner_bounds(scene, state), problem.candidates);
+  problem.air = start.air;
+  return problem;
+}
+
 FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const MidpointPredictor& predictor,
                     Workspace& workspace) {
   const Scene& scene = start.scene;
   const State& state = start.state;
   const double dt = start.dt;
   const core::Mesh middle = midpoint_mesh(scene, state, predictor, dt);
-  flow::Problem problem{};
-  problem.mesh = &middle;
-  problem.geometry = scene.geometry;
-  problem.material = &*scene.glass.flow;
+  flow::Problem problem = loaded_problem(start, middle, predictor.velocity, predictor.bounds);
   problem.temperature = &predictor.temperature;
-  problem.frozen = start.frozen;
-  problem.gravity = scene.stages[state.stage].gravity;
   problem.dilatation_rate = prescribed_dilatation_rate(
       scene, state, middle, predictor.trusted ? &predictor.velocity : nullptr, dt, predictor.expansion);
   problem.expansion_rate = conserving_rate(start, middle, predictor);
   problem.with_dilatation_mode = true;
-  problem.boundary_conditions = boundary_conditions(scene, state, dt);
-  problem.tools = tool_motions(scene, state, dt);
-  problem.candidates = contact_candidates(scene, state, predictor.velocity, dt);
-  keep_bounds(predictor.bounds, problem.candidates);
-  keep_bounds(corner_bounds(scene, state), problem.candidates);
-  problem.air = start.air;
   auto warm = likely_contacts(state, active, problem, predictor.velocity);
   const bool floating = floats(problem);
   // What nothing drives follows the balance: trapped air may carry the glass.

@@ -15,6 +15,11 @@ struct FlowPass {
   flow::Solution solution;
 };
 
+/// Loads, tools and contact candidates of a step on the mesh in its middle, where the glass is expected to move with
+/// `velocity`, m/s; `bounds` are more candidates. The temperature is left open.
+flow::Problem loaded_problem(const StepStart& start, const core::Mesh& middle, const Eigen::VectorXd& velocity,
+                             const std::vector<flow::ContactCandidate>& bounds);
+
 /// Solves the flow on the predicted mesh in the middle of the step, and corrects its volume. The search for contacts
 /// starts from those that were `active`.
 FlowPass solve_flow(const StepStart& start, const ActiveContacts& active, const MidpointPredictor& predictor,

@@ -26,6 +26,20 @@ namespace parison::forming {
 
 using core::dim;
 
+void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
+                       State& state) {
+  std::vector<std::size_t> inside;
+  std::vector<Point> points;
+  for (std::size_t p = 0; p < scene.probes.size(); ++p)
+    if (scene.probes[p].body == 0) {
+      inside.push_back(p);
+      points.push_back(state.probes[p]);
+    }
+  const Eigen::MatrixXd moving = sample(mesh, velocity, dim, points);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
+}
+
 namespace {
 
 /// Largest number of flow solves in one step.
@@ -57,20 +71,6 @@ struct DepthLimits {
       : iterate(core::tolerance::penetration * core::size(scene.glass.profile)),
         reject(core::tolerance::rejected_penetration * core::size(scene.glass.profile)) {}
 };
-
-void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
-                       State& state) {
-  std::vector<std::size_t> inside;
-  std::vector<Point> points;
-  for (std::size_t p = 0; p < scene.probes.size(); ++p)
-    if (scene.probes[p].body == 0) {
-      inside.push_back(p);
-      points.push_back(state.probes[p]);
-    }
-  const Eigen::MatrixXd moving = sample(mesh, velocity, dim, points);
-  for (std::size_t i = 0; i < inside.size(); ++i)
-    state.probes[inside[i]] += dt * moving.row(static_cast<Index>(i)).transpose();
-}
 
 /// Largest length of surface, m, that a contact front passes in a step: the length of neighbouring edges whose middles
 /// come into contact in it, times the relative difference of the gaps that they closed. A flat surface that lands on a

@@ -12,4 +12,8 @@ namespace parison::forming {
 bool iterate_until_converged(const StepStart& start, MidpointPredictor& predictor, Workspace& workspace,
                              StepResult& result);
 
+/// Moves the probes of the glass with its velocities, m/s on a mesh, for a time of dt, s.
+void move_glass_probes(const Scene& scene, const core::Mesh& mesh, const Eigen::VectorXd& velocity, double dt,
+                       State& state);
+
 }  // namespace parison::forming

@@ -17,6 +17,7 @@ struct RunRequest {
   std::string after;     ///< resume: the stage from whose end, empty for the last checkpoint
   bool verbose = false;  ///< first all that `parison check` says
   bool error_bars = false;
+  bool to_cold = false;       ///< run: cool the container after the last stage
   bool later_counts = false;  ///< run: of several assignments of one value the last one
   bool keep_going = false;    ///< exit code 0 also where the results are not trustworthy
 };

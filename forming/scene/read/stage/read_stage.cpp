@@ -134,14 +134,21 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
 }  // namespace
 
 Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
-  const CaseTable table(node, {"name", "duration", "from", "until", "end_speed", "gravity", "tools", "motion",
-                               "pressure", "end", "air", "inner_air", "trapped_air", "cooling", "name_boundary"});
+  const CaseTable table(
+      node, {"name", "kind", "lehr", "duration", "from", "until", "end_speed", "gravity", "tools", "motion", "pressure",
+             "end", "air", "inner_air", "trapped_air", "cooling", "name_boundary"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
-  read_times(table, scene, stage);
+  read_kind(table, scene, stage);
+  const auto* lehr = table.find("lehr");
+  if (lehr)
+    read_lehr(*lehr, table, stage);
+  else
+    read_times(table, scene, stage);
   stage.tools = read_stage_tools(table, scene);
   read_loads(table, scene, stage);
   if (const auto* item = table.find("end")) stage.ends = read_ends(*item, scene, stage);
+  if (lehr) return stage;
   read_surroundings(table, common, scene, stage);
   return stage;
 }

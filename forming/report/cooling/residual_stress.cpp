@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/cooling/residual_stress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/numbers.hpp"
+#include "forming/step/cooling/cooling_step.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+constexpr double megapascal = 1e6, nanometre = 1e-9, millilitre = 1e-6;
+
+/// 1 where the container stands along the axis, -1 against it.
+int upwards(const Scene& scene) {
+  return scene.stages.back().gravity > 0 ? -1 : 1;
+}
+
+std::string place(const SurfaceTension& tension) {
+  return fmt::format("{:.2f} MPa at ({:.1f}, {:.1f}) mm", tension.stress / megapascal, tension.at[0] / core::millimetre,
+                     tension.at[1] / core::millimetre);
+}
+
+std::string sides(const SidesTension& tension) {
+  const bool has_inner = tension.inner.stress > 0;
+  return "outside " + place(tension.outer) + (has_inner ? ", inside " + place(tension.inner) : "");
+}
+
+void add_tension(core::JsonWriter& json, const char* key, const SurfaceTension& tension) {
+  json.open_object(key);
+  json.add("MPa", tension.stress / megapascal);
+  json.add("r_mm", tension.at[0] / core::millimetre);
+  json.add("z_mm", tension.at[1] / core::millimetre);
+  json.add("time_s", tension.time);
+  json.close();
+}
+
+void add_base(core::JsonWriter& json, const BaseView& base) {
+  if (base.radius.empty()) return;
+  const std::size_t most = base.largest();
+  json.open_object("base");
+  json.add("retardation_nm", std::abs(base.retardation[most]) / nanometre);
+  json.add("at_r_mm", base.radius[most] / core::millimetre);
+  json.add("thickness_mm", base.thickness[most] / core::millimetre);
+  json.add("apparent_temper_number", apparent_temper_number(base.retardation[most]));
+  json.add("real_temper_number", real_temper_number(base.retardation[most], base.thickness[most]));
+  const auto list = [&](const char* key, const std::vector<double>& values, double unit) {
+    json.open_list(key);
+    for (const double value : values) json.add("", value / unit);
+    json.close();
+  };
+  list("r_mm", base.radius, core::millimetre);
+  list("retardations_nm", base.retardation, nanometre);
+  json.close();
+}
+
+std::string container_text(const CoolingSeen& seen, const ContainerReport& cold) {
+  std::string text = fmt::format("{:.5g} mm high and {:.4g} mm wide, hot {:.5g} and {:.4g} mm",
+                                 cold.size.height / core::millimetre, cold.size.diameter / core::millimetre,
+                                 seen.height / core::millimetre, seen.diameter / core::millimetre);
+  if (cold.capacity && seen.capacity > 0)
+    text = fmt::format("{:.5g} ml, hot {:.5g} ml ({:+.2f} %); ", *cold.capacity / millilitre,
+                       seen.capacity / millilitre, 100 * (*cold.capacity / seen.capacity - 1)) +
+           text;
+  return text;
+}
+
+}  // namespace
+
+void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFields& fields) {
+  const Eigen::VectorXd stress = nodal_stress(glass);
+  if (stress.size() == 0) return;
+  const Eigen::Index nodes = stress.size() / 4;
+  const Eigen::Map<const Eigen::ArrayXXd> of(stress.data(), 4, nodes);
+  const Eigen::ArrayXXd in = of / megapascal;
+  const Eigen::ArrayXd mean = 0.5 * (in.row(0) + in.row(1)).transpose();
+  const Eigen::ArrayXd radius = (0.25 * (in.row(0) - in.row(1)).square() + in.row(3).square()).sqrt().transpose();
+  const Eigen::ArrayXd hoop = in.row(2).transpose();
+  // On a surface one of the two in the section vanishes, the other is along the meridian.
+  const Eigen::ArrayXd meridional = (mean < 0).select(mean - radius, mean + radius);
+  fields.nodal.push_back({"stress_hoop_MPa", hoop.matrix()});
+  fields.nodal.push_back({"stress_meridional_MPa", meridional.matrix()});
+  fields.nodal.push_back({"stress_principal_MPa", hoop.max(mean + radius).matrix()});
+  fields.nodal.push_back({"fictive_temperature_degC",
+                          (nodal_fictive_temperature(scene, glass).array() - thermal::content_reference).matrix()});
+}
+
+void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
+  if (!remembers(state)) return;
+  const CoolingSeen& seen = summary.run.diagnostics.cooling;
+  const SidesTension now = surface_tension(state);
+  json.open_object("cooling");
+  if (seen.capacity > 0) json.add("hot_capacity_ml", seen.capacity / millilitre);
+  if (seen.height > 0) json.add("hot_height_mm", seen.height / core::millimetre);
+  if (seen.diameter > 0) json.add("hot_diameter_mm", seen.diameter / core::millimetre);
+  add_tension(json, "residual_outer", now.outer);
+  add_tension(json, "residual_inner", now.inner);
+  add_tension(json, "largest_outer", seen.largest.outer);
+  add_tension(json, "largest_inner", seen.largest.inner);
+  add_base(json, base_view(scene, state.glass, upwards(scene)));
+  json.close();
+}
+
+std::vector<LabelledText> cooling_lines(const Scene& scene, const State& state, const Summary& summary) {
+  if (!remembers(state)) return {};
+  const CoolingSeen& seen = summary.run.diagnostics.cooling;
+  std::vector<LabelledText> lines;
+  if (const auto cold = container_report(scene, state, summary.no_wall.empty()); cold && seen.height > 0)
+    lines.push_back({"cold container", container_text(seen, *cold)});
+  lines.push_back({"residual tension", sides(surface_tension(state))});
+  lines.push_back(
+      {"tension while cooling", fmt::format("{}, after {:.0f} s", sides(seen.largest), seen.largest.outer.time)});
+  if (const BaseView base = base_view(scene, state.glass, upwards(scene)); !base.radius.empty()) {
+    const std::size_t most = base.largest();
+    lines.push_back(
+        {"temper number",
+         fmt::format("{:.2g} real, {:.2g} apparent: {:.0f} nm at r = {:.1f} mm through "
+                     "{:.1f} mm of base",
+                     real_temper_number(base.retardation[most], base.thickness[most]),
+                     apparent_temper_number(base.retardation[most]), std::abs(base.retardation[most]) / nanometre,
+                     base.radius[most] / core::millimetre, base.thickness[most] / core::millimetre)});
+  }
+  return lines;
+}
+
+}  // namespace parison::forming

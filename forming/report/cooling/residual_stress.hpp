@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/json.hpp"
+#include "core/io/vtu.hpp"
+#include "forming/report/container/container_report.hpp"
+#include "forming/report/summary.hpp"
+
+namespace parison::forming {
+
+/// The base as a polariscope shows it, seen along the axis: retardation of light at a distance from the axis.
+struct BaseView {
+  std::vector<double> radius, thickness;  ///< m; of the glass that the light passes
+  std::vector<double> retardation;        ///< m; positive where the radial stress is the larger
+
+  std::size_t largest() const;  ///< index of the largest, without sign
+};
+/// Of an axisymmetric container with stress that stands as `up` says (1 along the axis, -1 against it), as far as its
+/// base reaches; empty where there is none.
+BaseView base_view(const Scene& scene, const GlassState& glass, int up);
+
+/// Temper numbers of ASTM C148: apparent, by the retardation, m, and real, for a standard thickness.
+double apparent_temper_number(double retardation);
+double real_temper_number(double retardation, double thickness);
+
+/// Stress and fictive temperature at the nodes, for the VTU files: nothing of glass that has not cooled.
+void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFields& fields);
+/// The object `cooling` of summary.json: hot and cold container, tensions, temper number.
+void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state, const Summary& summary);
+/// The same as lines of the table of results.
+struct LabelledText {
+  std::string label, text;
+};
+std::vector<LabelledText> cooling_lines(const Scene& scene, const State& state, const Summary& summary);
+
+}  // namespace parison::forming
