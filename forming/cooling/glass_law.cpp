@@ -42,7 +42,7 @@ Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, doub
     const double before = (weight * result.fictive).sum();
     double middle = before, relaxed = 0;
     Branches after;
-    constexpr int passes = 3;  // the second is of second order, the third hardly changes it
+    constexpr int passes = 2;  // the second is of second order
     for (int pass = 0; pass < passes; ++pass) {
       relaxed = dt / parts * modulus / std::exp(law.log_viscosity(0.5 * (here + next), middle));
       after = follow(result.fictive, Decay(relaxed / law.structure.time), here, next);

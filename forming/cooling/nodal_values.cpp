@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/cell_batch.hpp"
@@ -53,16 +54,15 @@ Neighbours cells_of_vertices(const core::Mesh& mesh) {
   return cells;
 }
 
-/// The cells around a vertex and those that share a vertex with them.
-std::vector<Index> cells_near(const core::Mesh& mesh, const Neighbours& around, Index vertex) {
+/// The cells around a vertex and those that share a vertex with them. `last_near` has for each cell the last vertex
+/// that it was near.
+std::vector<Index> cells_near(const core::Mesh& mesh, const Neighbours& around, Index vertex,
+                              std::vector<Index>& last_near) {
   std::vector<Index> near;
   for (const Index cell : around[vertex])
-    for (int v = 0; v < 3; ++v) {
-      const auto& more = around[mesh.cells()[cell][v]];
-      near.insert(near.end(), more.begin(), more.end());
-    }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (int v = 0; v < 3; ++v)
+      for (const Index more : around[mesh.cells()[cell][v]])
+        if (std::exchange(last_near[more], vertex) != vertex) near.push_back(more);
   return near;
 }
 
@@ -104,20 +104,25 @@ Patch fit(const Point& centre, const std::vector<Index>& cells, const std::vecto
 
 }  // namespace
 
-Eigen::VectorXd to_nodes(const core::Mesh& mesh, const Eigen::VectorXd& at_points, Index components) {
+Eigen::VectorXd to_nodes(const core::Mesh& mesh, const Eigen::VectorXd& at_points, Index components,
+                         const std::vector<bool>& vertices) {
   const Eigen::Map<const Eigen::MatrixXd> values(at_points.data(), components, at_points.size() / components);
   const Neighbours around = cells_of_vertices(mesh);
   const std::vector<Point> places = place_of_points(mesh);
-  std::vector<Patch> patches;
+  std::vector<Patch> patches(mesh.vertex_count());
+  std::vector<Index> last_near(mesh.cells().size(), -1);
+  const auto is_wanted = [&](Index vertex) { return vertices.empty() || vertices[vertex]; };
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    patches.push_back(fit(mesh.nodes[v], cells_near(mesh, around, v), places, values));
-  Eigen::MatrixXd result(components, mesh.node_count());
-  for (Index v = 0; v < mesh.vertex_count(); ++v) result.col(v) = patches[v].at(mesh.nodes[v]);
+    if (is_wanted(v)) patches[v] = fit(mesh.nodes[v], cells_near(mesh, around, v, last_near), places, values);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(components, mesh.node_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (is_wanted(v)) result.col(v) = patches[v].at(mesh.nodes[v]);
   for (const auto& cell : mesh.cells())
     for (int i = 0; i < 3; ++i) {
-      const Index middle = cell[3 + i];
+      const Index middle = cell[3 + i], first = cell[i], last = cell[(i + 1) % 3];
       const Point& place = mesh.nodes[middle];
-      result.col(middle) = 0.5 * (patches[cell[i]].at(place) + patches[cell[(i + 1) % 3]].at(place));
+      if (is_wanted(first) && is_wanted(last))
+        result.col(middle) = 0.5 * (patches[first].at(place) + patches[last].at(place));
     }
   return Eigen::Map<const Eigen::VectorXd>(result.data(), result.size());
 }

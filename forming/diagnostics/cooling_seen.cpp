@@ -24,7 +24,7 @@ void keep_larger(const SurfaceTension& now, SurfaceTension& largest) {
 
 SidesTension surface_tension(const State& state) {
   SidesTension tension;
-  const Eigen::VectorXd stress = nodal_stress(state.glass);
+  const Eigen::VectorXd stress = nodal_stress(state.glass, true);
   if (stress.size() == 0) return tension;
   const core::Mesh& mesh = state.glass.mesh;
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {

@@ -60,6 +60,13 @@ bool has_own_mesh(const Body& body) {
   return body.mesh.size || body.mesh.contact_size || body.mesh.growth || body.mesh.mapped;
 }
 
+/// s. Nothing presses in a stage that cools.
+double first_step(const Scene& scene, Index stage) {
+  constexpr double share = 1e-3;  // of its duration
+  const double usual = scene.accuracy.initial_step;
+  return scene.stages[stage].cools ? std::max(usual, share * scene.stages[stage].duration) : usual;
+}
+
 /// New meshes of the glass at the start of a stage. Its first mesh does not know the temperatures that the glass starts
 /// with: where they vary, meshes follow each other until they resolve them, and each takes them from the case again.
 bool remesh_at_start(RunInProgress& run, Index stage) {
@@ -96,7 +103,7 @@ bool begin_stage(RunInProgress& run, Index stage) {
   std::string& reason = run.outcome.facts.reason;
   const std::string misplaced = misplaced_boundary(run.scene, state, stage);
   state = start_stage(run.scene, state, stage);
-  state.next_step = run.scene.accuracy.initial_step;
+  state.next_step = first_step(run.scene, stage);
   state.next_limit = static_cast<Index>(StepLimit::initial);
   run.workspace.static_stage.reset();
   reason = after_press(run.outcome.facts, misplaced.empty() ? stage_precondition_failure(run.scene, state) : misplaced);

@@ -15,6 +15,7 @@
 #include "forming/state/sample.hpp"
 #include "forming/state/start_temperature.hpp"
 #include "forming/step/balance/volume_conservation.hpp"
+#include "forming/step/cooling/cooling_step.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "thermal/properties.hpp"
 
@@ -82,7 +83,8 @@ GlassFacts glass_facts(const Scene& scene, const State& state) {
   GlassFacts facts;
   facts.volume = core::volume(glass.mesh, scene.geometry);
   facts.mass = state.glass.density * relative_mass(scene, state.glass);
-  facts.volume_drift = excess_volume(scene, state) / state.glass.initial_volume;
+  // Cooled glass has the volume that its structure gives it.
+  facts.volume_drift = remembers(state) ? 0 : excess_volume(scene, state) / state.glass.initial_volume;
   facts.mean = facts.lowest = facts.highest = core::none;
   facts.energy_imbalance = 0;
   if (!scene.has_heat()) return facts;

@@ -230,7 +230,6 @@ double excess_volume(const Scene& scene, const State& state) {
 }
 
 double volume_drift(const Scene& scene, const State& state) {
-  if (scene.stages[state.stage].cools) return 0;  // its volume is that of its structure
   return conserved_volume(scene, state.glass, state.glass.mesh, state.glass.temperature) / state.glass.initial_volume -
          1;
 }

@@ -29,15 +29,16 @@ void store(cooling::GlassMemory memory, GlassState& glass) {
   glass.mean_pressure = std::move(memory.pressure);
 }
 
-/// The largest change of temperature at any node, K. Where the glass relaxes within the step it counts for more: there
+/// A change of temperature, K, with its weight: where glass relaxes within the step it counts for more, because there
 /// it decides what stress stays.
 double weighted_change(const cooling::GlassLaw& law, const cooling::MemoryStep& step, double change) {
-  constexpr double weight = 8, liquid = 1e-4, solid = 0.9999;
-  const auto relaxes = [&](const cooling::Relaxation& at) {
+  constexpr double more = 7, steep = 10;  // full weight where between a tenth and nine tenths of the strain stay stress
+  double relaxing = 0;
+  for (const cooling::Relaxation& at : step.relaxation) {
     const double share = at.modulus.sum() / law.shear_modulus();
-    return share > liquid && share < solid;
-  };
-  return change * (std::any_of(step.relaxation.begin(), step.relaxation.end(), relaxes) ? weight : 1);
+    relaxing = std::max(relaxing, share * (1 - share));
+  }
+  return change * (1 + more * std::min(1.0, steep * relaxing));
 }
 
 /// The equilibrium on the mesh in the middle of the step; `velocity` is the one expected, m/s.
@@ -117,12 +118,17 @@ StepResult cooling_step(const StepStart& start, Workspace& workspace) {
   return result;
 }
 
-Eigen::VectorXd nodal_stress(const GlassState& glass) {
+Eigen::VectorXd nodal_stress(const GlassState& glass, bool only_surface) {
   if (glass.branch_stress.size() == 0) return {};
   const auto points = cooling::stress_at_points(glass.mesh, memory_of(glass));
   constexpr Index components = 4;
   const Eigen::Map<const Eigen::VectorXd> values(points.front().data(), components * Index(points.size()));
-  return cooling::to_nodes(glass.mesh, values, components);
+  std::vector<bool> vertices;
+  if (only_surface) {
+    vertices.resize(glass.mesh.vertex_count());
+    for (const auto& edge : glass.mesh.boundary_edges()) vertices[edge.nodes[0]] = vertices[edge.nodes[1]] = true;
+  }
+  return cooling::to_nodes(glass.mesh, values, components, vertices);
 }
 
 Eigen::VectorXd nodal_fictive_temperature(const Scene& scene, const GlassState& glass) {

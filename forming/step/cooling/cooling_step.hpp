@@ -18,8 +18,9 @@ inline bool remembers(const State& state) {
 /// the middle of the step at the temperatures that the heat gave, and the whole motion. Of second order in time.
 StepResult cooling_step(const StepStart& start, Workspace& workspace);
 
-/// Stress of glass that cools, by node, Pa: rr, zz, hoop, rz; tension positive. Empty where it does not.
-Eigen::VectorXd nodal_stress(const GlassState& glass);
+/// Stress of glass that cools, by node, Pa: rr, zz, hoop, rz; tension positive. Empty where it does not. On the
+/// surface alone, zero elsewhere, where `only_surface`.
+Eigen::VectorXd nodal_stress(const GlassState& glass, bool only_surface = false);
 /// Its fictive temperature, by node, K.
 Eigen::VectorXd nodal_fictive_temperature(const Scene& scene, const GlassState& glass);
 
