@@ -22,6 +22,10 @@ void keep_larger(const SurfaceTension& now, SurfaceTension& largest) {
 
 }  // namespace
 
+double CoolingSeen::sag(double height_now, double volume_now) const {
+  return 1 - height_now / (height * std::cbrt(volume_now / volume));
+}
+
 SidesTension surface_tension(const State& state) {
   SidesTension tension;
   const Eigen::VectorXd stress = nodal_stress(state.glass, true);

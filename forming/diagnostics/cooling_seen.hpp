@@ -23,6 +23,10 @@ SidesTension surface_tension(const State& state);
 struct CoolingSeen {
   SidesTension largest;                           ///< at any time
   double capacity = 0, height = 0, diameter = 0;  ///< of the container when it began, m3, m; 0 where it has none
+  double volume = 0;                              ///< of the glass when it began, m3
+
+  /// By how much the height is less, as a share, than shrinkage alone would leave it; negative: more.
+  double sag(double height_now, double volume_now) const;
 };
 
 /// Adds the state at the end of a step that cools.
@@ -43,6 +47,7 @@ void visit_cooling(Visitor visit, Seen& seen) {
   visit("capacity", seen.capacity);
   visit("height", seen.height);
   visit("diameter", seen.diameter);
+  visit("volume", seen.volume);
 }
 
 }  // namespace parison::forming

@@ -88,6 +88,7 @@ void start_cooling(RunInProgress& run) {
     seen.height = container->size.height;
     seen.diameter = container->size.diameter;
   }
+  seen.volume = core::volume(run.outcome.state.glass.mesh, run.scene.geometry);
   begin_cooling(run.outcome.state);
 }
 

@@ -99,8 +99,9 @@ TEST_F(CoolingRun, stopped_and_gone_on_with_it_is_the_same_to_the_last_bit) {
 }
 
 TEST_F(CoolingRun, a_lehr_gives_duration_and_air) {
-  const Scene scene = read(replaced(plate, R"(duration = "623 s", air = { temperature = "20 degC", h = "60 W/m2/K", ambient = "20 degC" })",
-                                    R"(lehr = { belt_speed = "0.6 m/min", zones = [["6 m", "560 degC", "20 W/m2/K"],
+  const Scene scene = read(
+      replaced(plate, R"(duration = "623 s", air = { temperature = "20 degC", h = "60 W/m2/K", ambient = "20 degC" })",
+               R"(lehr = { belt_speed = "0.6 m/min", zones = [["6 m", "560 degC", "20 W/m2/K"],
   ["12 m", "100 degC", "30 W/m2/K"]] })"));
   const Stage& stage = scene.stages.front();
   EXPECT_NEAR(stage.duration, 1800, 1e-9);

@@ -22,9 +22,9 @@ namespace parison::tools {
 namespace {
 
 /// In the order in which one needs the other.
-constexpr const char* scripts[] = {"elements.js", "colours.js",    "data.js",    "raster.js",  "section.js",
-                                   "film.js",     "charts.js",     "figures.js", "machine.js", "tables.js",
-                                   "search.js",   "production.js", "main.js"};
+constexpr const char* scripts[] = {"elements.js", "colours.js", "data.js",       "raster.js",      "section.js",
+                                   "film.js",     "charts.js",  "figures.js",    "polariscope.js", "machine.js",
+                                   "tables.js",   "search.js",  "production.js", "main.js"};
 
 std::string page_file(const std::string& name) {
   const auto path = shared_file("tools/report/page/" + name);

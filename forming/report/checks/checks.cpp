@@ -34,6 +34,22 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
                                 capacity / millilitre, drawn / millilitre)});
 }
 
+namespace {
+
+/// Whether a container has sunk while it cooled.
+void add_sag_check(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
+  const CoolingSeen& seen = facts.diagnostics.cooling;
+  const auto container = facts.completed && seen.height > 0 ? container_report(scene, state, true) : std::nullopt;
+  if (!container || !(container->size.height > 0)) return;
+  constexpr double most = 5e-3;
+  const double volume = core::volume(state.glass.mesh, scene.geometry);
+  checks.push_back({"sag", std::abs(seen.sag(container->size.height, volume)), most, no_limit, "%",
+                    "after the mould the container became so much lower or higher than shrinkage makes it: it was "
+                    "taken out too hot, its plate or its air are too hot, or it stood too long before it set"});
+}
+
+}  // namespace
+
 std::string hot_glass_text(const Scene& scene, const HotGlass& hottest) {
   if (!(hottest.above > told_excess)) return "";
   return fmt::format(
@@ -93,6 +109,7 @@ Checks checks(const Scene& scene, const State& state, const RunFacts& facts) {
   if (scene.has_flow()) add_flow_checks(scene, state, facts, all);
   if (scene.has_heat() && scene.has_flow()) add_hot_glass_check(scene, state, facts.diagnostics.hot_glass, all);
   add_capacity_checks(scene, state, facts, all);
+  add_sag_check(scene, state, facts, all);
   add_table_check(scene, facts.diagnostics.tables, all);
   return all;
 }

@@ -59,10 +59,13 @@ void add_base(core::JsonWriter& json, const BaseView& base) {
   json.close();
 }
 
-std::string container_text(const CoolingSeen& seen, const ContainerReport& cold) {
-  std::string text = fmt::format("{:.5g} mm high and {:.4g} mm wide, hot {:.5g} and {:.4g} mm",
-                                 cold.size.height / core::millimetre, cold.size.diameter / core::millimetre,
-                                 seen.height / core::millimetre, seen.diameter / core::millimetre);
+std::string container_text(const CoolingSeen& seen, const ContainerReport& cold, double volume) {
+  std::string text = fmt::format(
+      "{:.5g} mm high and {:.4g} mm wide, hot {:.5g} and {:.4g} mm; shrunk by {:.2f} %, "
+      "sunk by {:.2f} %",
+      cold.size.height / core::millimetre, cold.size.diameter / core::millimetre, seen.height / core::millimetre,
+      seen.diameter / core::millimetre, 100 * (1 - std::cbrt(volume / seen.volume)),
+      100 * seen.sag(cold.size.height, volume));
   if (cold.capacity && seen.capacity > 0)
     text = fmt::format("{:.5g} ml, hot {:.5g} ml ({:+.2f} %); ", *cold.capacity / millilitre,
                        seen.capacity / millilitre, 100 * (*cold.capacity / seen.capacity - 1)) +
@@ -98,6 +101,10 @@ void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state,
   if (seen.capacity > 0) json.add("hot_capacity_ml", seen.capacity / millilitre);
   if (seen.height > 0) json.add("hot_height_mm", seen.height / core::millimetre);
   if (seen.diameter > 0) json.add("hot_diameter_mm", seen.diameter / core::millimetre);
+  const double volume = core::volume(state.glass.mesh, scene.geometry);
+  json.add("contraction", 1 - std::cbrt(volume / seen.volume));
+  if (const auto cold = container_report(scene, state, summary.no_wall.empty()); cold && seen.height > 0)
+    json.add("sag", seen.sag(cold->size.height, volume));
   add_tension(json, "residual_outer", now.outer);
   add_tension(json, "residual_inner", now.inner);
   add_tension(json, "largest_outer", seen.largest.outer);
@@ -111,7 +118,7 @@ std::vector<LabelledText> cooling_lines(const Scene& scene, const State& state, 
   const CoolingSeen& seen = summary.run.diagnostics.cooling;
   std::vector<LabelledText> lines;
   if (const auto cold = container_report(scene, state, summary.no_wall.empty()); cold && seen.height > 0)
-    lines.push_back({"cold container", container_text(seen, *cold)});
+    lines.push_back({"cold container", container_text(seen, *cold, core::volume(state.glass.mesh, scene.geometry))});
   lines.push_back({"residual tension", sides(surface_tension(state))});
   lines.push_back(
       {"tension while cooling", fmt::format("{}, after {:.0f} s", sides(seen.largest), seen.largest.outer.time)});

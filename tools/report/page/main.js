@@ -56,6 +56,7 @@ function show(runs, program) {
       ? part("film", "Film", film.element)
       : part("film", "Film", element("p", { class: "soft" }, "No output has been written yet.")),
     wallPart(runs, charts),
+    coldPart(runs),
     machinePart(runs, charts),
     toolsPart(runs, charts),
     productionPart(state.productions, charts),

@@ -135,8 +135,8 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
 
 Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
   const CaseTable table(
-      node, {"name", "kind", "lehr", "duration", "from", "until", "end_speed", "gravity", "tools", "motion", "pressure",
-             "end", "air", "inner_air", "trapped_air", "cooling", "name_boundary"});
+      node, {"name", "duration", "from", "until", "end_speed", "gravity", "tools", "motion", "pressure", "end", "air",
+             "inner_air", "trapped_air", "cooling", "name_boundary", "kind", "lehr"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
   read_kind(table, scene, stage);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cold container, and its base as a polariscope with a tint plate shows it.
+
+/** Light between crossed polarisers through a retardation, nm: what of red, green and blue passes. */
+function polarisedColour(retardation) {
+  const passes = (wavelength) => Math.sin((Math.PI * retardation) / wavelength) ** 2;
+  return [630, 540, 450].map((wavelength) => Math.round(255 * passes(wavelength)));
+}
+
+/** Retardation, nm, at a distance from the axis, mm; none beyond the base. */
+function retardationAt(base, radius) {
+  const { r_mm: places, retardations_nm: values } = base;
+  const last = places.length - 1;
+  if (radius > places[last]) return null;
+  const next = Math.max(
+    1,
+    places.findIndex((place) => place >= radius),
+  );
+  const share = Math.max(0, (radius - places[next - 1]) / (places[next] - places[next - 1]));
+  return values[next - 1] + share * (values[next] - values[next - 1]);
+}
+
+/** The base in the field of a tint plate of 565 nm, which adds to the retardation along one diagonal. */
+function baseView(base, times) {
+  const size = 280;
+  const tint = 565;
+  const canvas = element("canvas", { width: size, height: size, class: "polariscope" });
+  const context = canvas.getContext("2d");
+  const image = context.createImageData(size, size);
+  const widest = base.r_mm[base.r_mm.length - 1];
+  for (let y = 0; y < size; ++y)
+    for (let x = 0; x < size; ++x) {
+      const dx = (2 * (x + 0.5)) / size - 1;
+      const dy = 1 - (2 * (y + 0.5)) / size;
+      const retardation = retardationAt(base, 1.15 * widest * Math.hypot(dx, dy));
+      const along = Math.sin(2 * Math.atan2(dy, dx));
+      const colour = polarisedColour(tint + times * (retardation ?? 0) * along);
+      image.data.set([...colour, 255], 4 * (y * size + x));
+    }
+  context.putImageData(image, 0, 0);
+  const caption = times === 1 ? "as it is" : `retardation times ${times}`;
+  return element("figure", {}, canvas, element("figcaption", { class: "soft" }, caption));
+}
+
+const tensionText = (one) => `${figure(one.MPa, 3)} MPa at (${figure(one.r_mm, 3)}, ${figure(one.z_mm, 4)}) mm`;
+
+function coldRows({ cooling, container }) {
+  const rows = [];
+  const add = (label, hot, cold) => {
+    if (hot != null && cold != null) rows.push([label, { number: figure(hot, 5) }, { number: figure(cold, 5) }]);
+  };
+  if (container) {
+    add("capacity, ml", cooling.hot_capacity_ml, container.capacity_ml);
+    add("height, mm", cooling.hot_height_mm, container.height_mm);
+    add("diameter, mm", cooling.hot_diameter_mm, container.diameter_mm);
+  }
+  return rows;
+}
+
+function coldRun(run, several) {
+  const { cooling } = run.summary;
+  const { base } = cooling;
+  const sentences = [
+    `Tension left: outside ${tensionText(cooling.residual_outer)}, inside ${tensionText(cooling.residual_inner)}.`,
+    `Largest while cooling: outside ${tensionText(cooling.largest_outer)}, inside ${tensionText(cooling.largest_inner)}.`,
+  ];
+  if (base)
+    sentences.push(
+      `Real temper number ${figure(base.real_temper_number, 2)}, apparent ${figure(base.apparent_temper_number, 2)}: ` +
+        `${figure(base.retardation_nm, 3)} nm at r = ${figure(base.at_r_mm, 3)} mm through ` +
+        `${figure(base.thickness_mm, 3)} mm. The base between crossed polarisers with a tint plate of 565 nm:`,
+    );
+  const rows = coldRows(run.summary);
+  return element(
+    "div",
+    {},
+    several ? element("h3", {}, run.name) : null,
+    rows.length ? table(["", "from the mould", "cold"], rows) : null,
+    ...sentences.map((sentence) => element("p", {}, sentence)),
+    base ? element("div", { class: "charts" }, baseView(base, 1), baseView(base, 10)) : null,
+  );
+}
+
+function coldPart(runs) {
+  const cold = runs.filter((run) => run.summary && run.summary.cooling);
+  return cold.length
+    ? part("cold", "Cold container", ...cold.map((run) => coldRun(run, runs.length > 1)))
+    : null;
+}
