@@ -59,10 +59,6 @@ double activation(const std::function<double(double)>& log_viscosity) {
 cooling::GlassLaw read_annealing(const CaseNode& node, const CaseTable& material, const flow::Viscosity& viscosity) {
   const CaseTable table(node, {"young", "poisson", "frozen_share", "shear", "structure"});
   const CaseTable expansion(material.get("expansion"), {"cold_density", "solid", "liquid", "transformation"});
-  if (viscosity.constant)
-    core::refuse(node,
-                 "a constant viscosity was found, which never sets; allowed are the laws vft, table and "
-                 "composition");
   cooling::GlassLaw law{core::positive(table.get("young"), dimension::pressure),
                         core::not_negative(table.get("poisson"), dimension::none),
                         core::not_negative(expansion.get("solid"), per_kelvin),

@@ -161,7 +161,8 @@ void read_flow(const CaseTable& table, const Density& density, NamedMaterial& ma
   if (const auto* carreau = table.find("shear_thinning")) material.flow->shear_thinning = read_shear_thinning(*carreau);
   if (const auto* tension = table.find("surface_tension"))
     material.flow->surface_tension = core::not_negative(*tension, dimension::surface_tension);
-  if (const auto* annealing = table.find("annealing"))
+  const bool sets = !material.flow->viscosity.constant;
+  if (const auto* annealing = table.find("annealing"); annealing && sets)
     material.annealing = read_annealing(*annealing, table, material.flow->viscosity);
 }
 

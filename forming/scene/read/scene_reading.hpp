@@ -14,7 +14,7 @@ namespace parison::forming {
 /// Internal radiation of a material; nothing for the model "none".
 std::optional<thermal::Radiation> read_radiation(const core::CaseNode& node);
 
-/// How a glass anneals; `material` is its whole table, with its expansion.
+/// How a glass anneals whose viscosity is no constant; `material` is its whole table, with its expansion.
 cooling::GlassLaw read_annealing(const core::CaseNode& node, const core::CaseTable& material,
                                  const flow::Viscosity& viscosity);
 

@@ -41,6 +41,11 @@ void read_kind(const CaseTable& table, const Scene& scene, Stage& stage) {
   }
   if (!scene.has_heat() || !scene.has_flow())
     core::refuse(*kind, "\"cooling\" was found, allowed only where the glass carries heat and flows");
+  if (scene.glass.flow->viscosity.constant)
+    core::refuse(
+        *kind,
+        "\"cooling\" was found with a constant viscosity, which never sets; allowed are the laws vft, table and "
+        "composition");
   if (!scene.glass.annealing)
     core::refuse(*kind,
                  "\"cooling\" was found and the material of the glass has no table annealing, allowed is one "
