@@ -120,7 +120,8 @@ TEST_F(CoolingRun, mistakes_are_told_in_a_sentence_before_the_run) {
   expect_complaint(R"(kind = "cooling", )", R"(lehr = { belt_speed = "1 m/min", zones = [] }, )",
                    "allowed only in a stage of kind = \"cooling\"");
   expect_complaint(R"({ law = "vft", A = -27.62366, B = "33093.7 K", T0 = "0.001 K" })",
-                   R"({ law = "constant", value = "1e9 Pa.s" })", "\"cooling\" was found with a constant viscosity, which never sets");
+                   R"({ law = "constant", value = "1e9 Pa.s" })",
+                   "\"cooling\" was found with a constant viscosity, which never sets");
   expect_complaint(R"(duration = "623 s",)", R"(lehr = { belt_speed = "1 m/min", zones = [["6 m", "560 degC"]] },)",
                    "found beside a lehr");
   const std::string twice = replaced(plate, "}]\n[material",

@@ -66,7 +66,7 @@ bool is_upright(const Scene& scene, std::size_t stage);
 /// The plan as lines for the terminal, empty without one.
 std::string describe_container(const Scene& scene);
 
-/// The last stage that does not cool the glass, in which the container stands as it is drawn; the last one where all do.
+/// The last stage that does not cool the glass, in which the container stands as drawn; the last one where all do.
 const Stage& last_forming_stage(const Scene& scene);
 
 }  // namespace parison::forming
