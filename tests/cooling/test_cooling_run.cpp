@@ -124,6 +124,7 @@ TEST_F(CoolingRun, mistakes_are_told_in_a_sentence_before_the_run) {
                    "\"cooling\" was found with a constant viscosity, which never sets");
   expect_complaint(R"(duration = "623 s",)", R"(lehr = { belt_speed = "1 m/min", zones = [["6 m", "560 degC"]] },)",
                    "found beside a lehr");
+  expect_complaint(R"(temperature = "600 degC")", R"(temperature = "400 degC")", "so that its stress is not known");
   const std::string twice = replaced(plate, "}]\n[material",
                                      "}, { name = \"form\", duration = \"1 s\", air = { temperature = "
                                      "\"20 degC\", h = \"1 W/m2/K\", ambient = \"20 degC\" } }]\n[material");

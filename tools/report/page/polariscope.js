@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cold container, and its base as a polariscope with a tint plate shows it.
 
-/** Light between crossed polarisers through a retardation, nm: what of red, green and blue passes. */
+/** Light between crossed polarisers through a retardation, nm: what of red, green and blue passes, as a screen has it. */
 function polarisedColour(retardation) {
   const passes = (wavelength) => Math.sin((Math.PI * retardation) / wavelength) ** 2;
-  return [630, 540, 450].map((wavelength) => Math.round(255 * passes(wavelength)));
+  return [680, 545, 440].map((wavelength) => Math.round(255 * passes(wavelength) ** (1 / 2.2)));
 }
 
 /** Retardation, nm, at a distance from the axis, mm; none beyond the base. */

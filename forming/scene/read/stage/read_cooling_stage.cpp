@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -24,6 +26,17 @@ Zone read_zone(const CaseNode& node) {
                                    parts.size()));
   return {core::positive(parts[0], dimension::length), core::quantity(parts[1], dimension::temperature),
           core::not_negative(parts[2], dimension::conductance)};
+}
+
+/// Refuses glass that starts where it is solid: what stress it has there is not known.
+void refuse_solid_start(const CaseNode& kind, const Scene& scene) {
+  constexpr double solid = 1e13;  // Pa.s
+  const double start = scene.glass.start_field ? scene.glass.start_field->min : scene.glass.initial_temperature;
+  if (!scene.stages.empty() || scene.glass.annealing->log_equilibrium(start) < std::log(solid)) return;
+  core::refuse(kind,
+               fmt::format("\"cooling\" was found for glass that starts at {:.4g} degC with more than {:g} Pa.s, so "
+                           "that its stress is not known; allowed is a start in softer glass",
+                           start - core::zero_celsius, solid));
 }
 
 }  // namespace
@@ -50,6 +63,7 @@ void read_kind(const CaseTable& table, const Scene& scene, Stage& stage) {
     core::refuse(*kind,
                  "\"cooling\" was found and the material of the glass has no table annealing, allowed is one "
                  "with it, such as flint");
+  refuse_solid_start(*kind, scene);
   for (const char* key : {"pressure", "motion", "trapped_air", "end_speed", "name_boundary"})
     if (const auto* item = table.find(key))
       core::refuse(*item, "found in a stage of kind = \"cooling\", allowed only where glass is formed");
