@@ -23,11 +23,13 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   if (!facts.completed || !plan.capacity) return;
   const auto formed = container_report(scene, state, true);
   if (!formed || !formed->capacity) return;
-  // What the glass lost of its volume as it cooled in the mould, its capacity gained.
-  const double drawn = *plan.capacity + state.glass.initial_volume - core::volume(state.glass.mesh, scene.geometry);
   constexpr double millilitre = 1e-6;
-  const double hot = facts.diagnostics.cooling.capacity;  // of a container that has cooled since
-  const double capacity = hot > 0 ? hot : *formed->capacity;
+  const CoolingSeen& seen = facts.diagnostics.cooling;  // a container that has cooled since is judged as it was then
+  const bool cooled = seen.capacity > 0;
+  const double capacity = cooled ? seen.capacity : *formed->capacity;
+  // What the glass lost of its volume in the mould, the capacity has gained.
+  const double volume = cooled ? seen.volume : core::volume(state.glass.mesh, scene.geometry);
+  const double drawn = *plan.capacity + state.glass.initial_volume - volume;
   checks.push_back({"capacity", std::abs(capacity / drawn - 1), most_doubt, no_limit, "%",
                     fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "
                                 "does not fill its mould, has sunk, or an outline is not the one that is meant",
