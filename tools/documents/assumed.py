@@ -102,7 +102,7 @@ def effect(study, kind, constant):
     if not quantity:
         return None
     found, scale = quantity["effects"][constant], 3**0.5 * (1 if unit == "K" else 100 / quantity["mean"])
-    return scale * found["value"], found["low"] * found["high"] > 0, 0.5 * scale * (found["high"] - found["low"])
+    return scale * (found["value"] or 0), found["low"] * found["high"] > 0, 0.5 * scale * (found["high"] - found["low"])
 
 
 def shown(found):
