@@ -72,13 +72,14 @@ def exponent(low, high, ratio):
 
 def blank_losses(runs, *sets, contacts=CONTACTS):
     """Of the bottle, by gob a pair for each contact: the mean loss, K, at the end of the settling and of the contact. The gob settles, its loading of
-    0.3 s included, for the contact less the 1.6 s of corkage and counter-blow."""
+    0.3 s included, for the contact less the 1.6 s of corkage and counter-blow. The density is one, as the other simulator's."""
     case = ROOT / "cases" / "bottle"
     tools = [f"tool.{tool}.temperature={TOOLS} degC" for tool in ("ring", "plate", "pin", "blank", "baffle")]
 
     def losses(gob, contact):
         stages = stages_to(case, "counter_blow", settle_blow=f"{contact - 1.6 - 0.3:.2f} s", counter_blow="1.3 s")
-        mean = curve(runs.run(case, f"glass.temperature={gob} degC", *tools, stages, *sets), "glass_mean_degC")
+        mean = curve(runs.run(case, f"glass.temperature={gob} degC", "material.flint.density=2400 kg/m3", *tools, stages, *sets),
+                     "glass_mean_degC")
         return [gob - min(mean, key=lambda point: abs(point[0] - time))[1] for time in (contact - 1.6, contact)]
 
     return {gob: [losses(gob, time) for time in contacts] for gob in GOBS}
