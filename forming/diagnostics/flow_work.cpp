@@ -34,6 +34,13 @@ double reynolds(const Scene& scene, const State& before, const flow::Solution& s
   return dissipation > 0 ? scene.glass.flow->density * rate * wall * wall / viscosity : 0;
 }
 
+/// What loads dissipate, W: not what a skin does that shrinks faster than the glass below it, which moves as far as it
+/// shrinks on any mesh.
+double loads_dissipate(const flow::Solution& solution) {
+  const double all = sum(solution.dissipation);
+  return std::clamp(all + solution.expansion_power, 0.0, all);
+}
+
 /// Compares, in one of some steps, the rate of deformation with the recovered one: the square of the relative
 /// difference is the share of the dissipation that the mesh does not resolve (Zienkiewicz and Zhu 1992). Each step that
 /// is looked at stands for those around it; where the share so far is not small they are three times as many, because a
@@ -44,7 +51,7 @@ void sample_resolution(const Scene& scene, const State& before, const flow::Solu
   constexpr double small = 0.01;
   const Index every = work.unresolved > small * work.sampled ? often : seldom;
   if (before.totals.steps % every != 0) return;
-  const double dissipated = double(every) / seldom * dt * sum(solution.dissipation);
+  const double dissipated = double(every) / seldom * dt * loads_dissipate(solution);
   const double error = remesh::rate_error(before.glass.mesh, scene.geometry, solution.velocity).relative();
   work.sampled += dissipated;
   work.unresolved += std::min(1.0, error * error) * dissipated;

@@ -9,7 +9,7 @@ namespace parison::forming {
 struct FlowWork {
   double capped = 0;      ///< dissipated where the glass should be stiffer than its viscosity is let be, J
   double unforeseen = 0;  ///< by which work of the steps would differ at the viscosity that their own heat gave, J
-  double sampled = 0;     ///< dissipated in the steps whose rate of deformation was compared with the recovered, J
+  double sampled = 0;     ///< dissipated by loads in the steps that were compared with the recovered rate, J
   double unresolved = 0;  ///< the part of it in the difference, J
   double max_reynolds = 0;
 };

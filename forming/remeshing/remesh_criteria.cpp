@@ -77,11 +77,14 @@ void refine_in_air(const Scene& scene, const State& state, remesh::Criteria& cri
         criteria.target_skin_size[node] = std::min(criteria.target_skin_size[node], edge);
 }
 
+/// Of an edge, over the length that a new mesh may have it at most.
+constexpr double max_stretch = 1.5;
+
 /// Whether an edge of the surface is longer, or turns more, than a new mesh may have it, by `max_stretch` and
 /// `max_bend`: a bent edge at the end of a contact keeps the surface beside it off the tool. Not where it lies on a
 /// tool, round which it may bend, or where a new mesh would have it no shorter.
 bool has_worn_edges(const Scene& scene, const State& state) {
-  constexpr double max_stretch = 1.5, max_bend = 2;
+  constexpr double max_bend = 2;
   const core::Mesh& mesh = state.glass.mesh;
   const double coarsening = state.totals.remeshing.coarsening_factor,
                max_length = max_stretch * scene.accuracy.surface_size * coarsening,
@@ -98,15 +101,16 @@ bool has_worn_edges(const Scene& scene, const State& state) {
   });
 }
 
-/// Whether the edges on a tenth of the surface are twice as long as a new mesh would have them for the viscosity that
-/// has come to vary below them. Those on a tool do not count: the skin of the contact has its own size.
+/// Whether the edges on a tenth of the surface are twice as long as the viscosity wants them that has come to vary below
+/// them, and longer than a new mesh would have them. Those on a tool do not count: the skin of the contact has its own
+/// size.
 bool has_coarse_skin(const Scene& scene, const State& state) {
-  constexpr double max_stretch = 2, max_share = 0.1;
+  constexpr double max_share = 0.1;
   if (!scene.has_flow() || !scene.has_heat()) return false;
   const core::Mesh& mesh = state.glass.mesh;
   const std::vector<double> wanted = viscosity_target_sizes(scene, state);
-  const double shortest = min_edge_fraction * scene.accuracy.skin_size,
-               stretch = max_stretch * state.totals.remeshing.coarsening_factor;
+  const double coarsening = state.totals.remeshing.coarsening_factor,
+               shortest = max_stretch * scene.accuracy.skin_size * coarsening;
   double coarse = 0, all = 0;
   for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
     if (mesh.kind_of(edge) == BoundaryKind::symmetry) continue;
@@ -114,7 +118,7 @@ bool has_coarse_skin(const Scene& scene, const State& state) {
     const bool on_tool = std::all_of(edge.nodes.begin(), edge.nodes.end(),
                                      [&](Index node) { return state.glass.contact_tool[node] >= 0; });
     all += length;
-    if (!on_tool && length > stretch * std::max(wanted[edge.nodes[2]], shortest)) coarse += length;
+    if (!on_tool && length > std::max(2 * coarsening * wanted[edge.nodes[2]], shortest)) coarse += length;
   }
   return coarse > max_share * all;
 }

@@ -210,7 +210,11 @@ void read_glass_temperature(const CaseTable& table, const BodyContext& context, 
   if (skin && glass.start_field)
     core::refuse(*skin, "a skin and a field of temperatures were found, allowed is one of them");
   if (skin) glass.skin = read_skin(*skin, glass);
-  if (expands) relate_density(glass.initial_temperature, glass);
+  relate_density(
+      [&](const core::Table& density) {
+        return start_mean(glass, context.geometry, [&](double T) { return density(T); });
+      },
+      glass);
 }
 
 /// Relates the density of a gob that is given by its mass to the temperature at which it is to have it.
@@ -222,7 +226,8 @@ void relate_gob_density(const CaseTable& table, Glass& glass) {
     core::refuse(skin ? *skin : temperature,
                  "a gob by its mass was found with a density over temperature, allowed is one temperature of all of "
                  "it, or its outline by a boundary");
-  relate_density(core::quantity(temperature, dimension::temperature), glass);
+  const double of_gob = core::quantity(temperature, dimension::temperature);
+  relate_density([&](const core::Table& density) { return density(of_gob); }, glass);
 }
 
 Glass read_glass(const CaseNode& node, const BodyContext& context) {

@@ -97,14 +97,13 @@ Density read_density(const CaseTable& material) {
   return {core::positive(given, dimension::density)};
 }
 
-void relate_density(double temperature, Glass& glass) {
-  const core::Table relative = glass.relative_density();
-  if (relative.x.empty()) return;
-  const double there = relative(temperature);
+void relate_density(const std::function<double(const core::Table&)>& mean, Glass& glass) {
+  if (glass.relative_density().x.empty()) return;
+  const double relative = mean(glass.relative_density());
   const auto relate = [&](auto& material) {
     if (!material) return;
-    material->density *= there;
-    for (double& value : material->relative_density.y) value /= there;
+    material->density *= relative;
+    for (double& value : material->relative_density.y) value /= relative;
   };
   relate(glass.thermal);
   relate(glass.flow);

@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
 #include "core/case/case_file.hpp"
 #include "core/case/table.hpp"
 #include "forming/scene/scene.hpp"
@@ -16,8 +18,8 @@ struct Density {
 /// density at 20 degC and the linear expansion coefficients of solid and liquid glass.
 Density read_density(const core::CaseTable& material);
 
-/// Makes the density at `temperature`, K, that which the others are relative to.
-void relate_density(double temperature, Glass& glass);
+/// Makes a mean of the density that which all are relative to; `mean` is of the table of `relative_density`.
+void relate_density(const std::function<double(const core::Table&)>& mean, Glass& glass);
 
 /// Refuses a density over temperature that does not cover the temperatures of the glass at its start, of all that it
 /// meets, and 20 degC, at which the container is measured. `glass` is the table of the case, for the place.

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of read_scene; private to the files that read and check a scene.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
 /// The temperature of a body at the start, uniform or a field; `body` has its outline.
 void read_start_temperature(const core::CaseNode& node, const BodyContext& context, Body& body);
+
+/// Mean by volume of a function of the temperature, K, that a body has at its start.
+double start_mean(const Body& body, core::Geometry geometry, const std::function<double(double)>& f);
 /// Digits that change with the field, for the fingerprint of a case.
 std::string start_field_text(const StartField& field, const core::Profile& profile);
 

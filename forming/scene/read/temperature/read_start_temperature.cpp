@@ -37,14 +37,21 @@ std::vector<Point> outline_places(const core::Profile& profile) {
   return core::polyline(profile, core::size(profile) / across, 1e-3 * core::size(profile));
 }
 
+/// Evenly over a body, closer where it fills little of its box.
 std::vector<Point> inner_places(const core::Profile& profile) {
-  std::vector<Point> points;
+  constexpr std::size_t enough = across * across / 4;
+  constexpr int closest = 16 * across;
   const Box box = box_of(outline_places(profile));
-  for (int i = 0; i < across; ++i)
-    for (int k = 0; k < across; ++k) {
-      const Point x = box.low + Point(i + 0.5, k + 0.5).cwiseProduct(box.high - box.low) / across;
-      if (core::contains(profile, x)) points.push_back(x);
-    }
+  std::vector<Point> points;
+  for (int n = across; points.size() < enough && n <= closest; n *= 2) {
+    points.clear();
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < n; ++k) {
+        const Point x = box.low + Point(i + 0.5, k + 0.5).cwiseProduct(box.high - box.low) / n;
+        if (core::contains(profile, x)) points.push_back(x);
+      }
+  }
+  if (points.empty()) points = outline_places(profile);  // too thin for them
   return points;
 }
 
@@ -151,31 +158,19 @@ void warm(StartField& field, double by) {
   field.source += fmt::format(", {:+g} K", by);
 }
 
-/// Sets the range of a field and its mean by volume.
-double complete(StartField& field, const core::Profile& profile, core::Geometry geometry) {
+void set_range(StartField& field, const core::Profile& profile) {
   if (!field.at) {
     field.min = field.temperature.minCoeff();
     field.max = field.temperature.maxCoeff();
-    double sum = 0, volume = 0;
-    for (Index c = 0; c < field.mesh.cell_count(); ++c)
-      for (const auto& rule : core::triangle_rule(4)) {
-        const auto at = core::map_cell_point(field.mesh, c, geometry, rule);
-        volume += at.volume;
-        for (int i = 0; i < 6; ++i) sum += at.volume * at.shape[i] * field.temperature[field.mesh.cells()[c][i]];
-      }
-    return sum / volume;
+    return;
   }
   field.min = std::numeric_limits<double>::infinity();
   field.max = 0;
-  double sum = 0, weights = 0;
   for (const Point& x : places(profile)) {
-    const double T = field.at(x), weight = geometry == core::Geometry::planar ? 1 : x[0];
+    const double T = field.at(x);
     field.min = std::min(field.min, T);
     field.max = std::max(field.max, T);
-    sum += weight * T;
-    weights += weight;
   }
-  return sum / weights;
 }
 
 /// A table of another place, or in another unit than its heading says, would give one temperature to all.
@@ -193,6 +188,26 @@ void refuse_table_elsewhere(const CaseNode& node, const Body& body, core::Geomet
 }
 
 }  // namespace
+
+double start_mean(const Body& body, core::Geometry geometry, const std::function<double(double)>& f) {
+  if (!body.start_field) return f(body.initial_temperature);
+  const StartField& field = *body.start_field;
+  double sum = 0, volume = 0;
+  const auto add = [&](double weight, double T) {
+    sum += weight * f(T);
+    volume += weight;
+  };
+  if (field.at)
+    for (const Point& x : inner_places(body.profile)) add(geometry == core::Geometry::planar ? 1 : x[0], field.at(x));
+  for (Index c = 0; c < field.mesh.cell_count(); ++c)
+    for (const auto& rule : core::triangle_rule(4)) {
+      const auto at = core::map_cell_point(field.mesh, c, geometry, rule);
+      double T = 0;
+      for (int i = 0; i < 6; ++i) T += at.shape[i] * field.temperature[field.mesh.cells()[c][i]];
+      add(at.volume, T);
+    }
+  return sum / volume;
+}
 
 double share_beyond_table(const Body& body, core::Geometry geometry) {
   const auto* grid = body.start_field ? body.start_field->at.target<TemperatureGrid>() : nullptr;
@@ -222,10 +237,11 @@ void read_start_temperature(const CaseNode& node, const BodyContext& context, Bo
                      : csv   ? read_temperature_table(*csv, context.directory)
                              : read_result(table, context, body);
   if (const auto* plus = table.find("plus")) warm(field, core::quantity(*plus, dimension::temperature_difference));
-  body.initial_temperature = complete(field, body.profile, context.geometry);
+  set_range(field, body.profile);
   if (field.min <= 0)
     core::refuse(node, fmt::format("{:g} K was found, allowed are temperatures above zero", field.min));
   body.start_field = std::move(field);
+  body.initial_temperature = start_mean(body, context.geometry, [](double T) { return T; });
   if (csv) refuse_table_elsewhere(*csv, body, context.geometry);
 }
 
