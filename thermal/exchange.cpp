@@ -133,7 +133,7 @@ void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) 
                   {}};
     for (int q = 0; q < 3; ++q) {
       edge.area[q] = core::map_edge_point(*body.mesh, boundary.nodes, system.problem->geometry, rule[q]).area;
-      edge.shape[q] = unknown_weights(edge_shapes()[q], system.problem->order);
+      edge.shape[q] = edge_shapes()[q];
     }
     system.edges.push_back(edge);
   }
@@ -151,8 +151,7 @@ void add_interface(HeatSystem& system) {
     if (i == 0 || !face_alike(points[i - 1], points[i]))
       interface.segments.push_back(start_segment(system, points[i], i, boundaries));
     interface.segments.back().last_point = i + 1;
-    const auto slave = unknown_weights(points[i].slave_shape, system.problem->order);
-    const auto master = unknown_weights(points[i].master_shape, system.problem->order);
+    const auto &slave = points[i].slave_shape, &master = points[i].master_shape;
     interface.shape.col(i) << slave[0], slave[1], slave[2], master[0], master[1], master[2];
     interface.area[i] = points[i].contact_weight * points[i].area;
   }

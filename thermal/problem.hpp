@@ -73,7 +73,6 @@ struct Problem {
   std::vector<BodyView> bodies;
   std::vector<core::InterfacePoint> interface;  ///< slave_body and master_body index `bodies`
   InterfaceLaw law;                             ///< unused without an interface
-  int order = 2;  ///< polynomial degree of the temperature: 2, or 1, where a mid-side node has the mean of its ends
   bool enclosure = false;  ///< whether open surfaces see each other; all bodies then have their `surroundings`
   LightResolution light_resolution = {};
   /// Where light was traced last, from where it goes on; null: from what was kept by the last call.

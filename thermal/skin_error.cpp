@@ -48,30 +48,20 @@ bool reaches_back(const SkinSide& side, double time) {
 SkinSide fine_side(SkinSide side) {
   side.first_cell = 0;
   side.growth = fine_growth;
-  side.order = 2;
   return side;
 }
 
 SkinColumn skin_column(const SkinSide& side, double time, double shortest) {
   static const Eigen::Matrix3d mass = (Eigen::Matrix3d() << 4, 2, -1, 2, 16, 2, -1, 2, 4).finished() / 30;
   static const Eigen::Matrix3d stiffness = (Eigen::Matrix3d() << 7, -8, 1, -8, 16, -8, 1, -8, 7).finished() / 3;
-  static const Eigen::Matrix2d linear_mass = (Eigen::Matrix2d() << 2, 1, 1, 2).finished() / 6;
-  static const Eigen::Matrix2d linear_stiffness = (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
   const auto x = vertices(side, time, shortest);
-  const int order = side.order == 1 ? 1 : 2, cells = static_cast<int>(x.size()) - 1, size = order * cells + 1;
+  const int cells = static_cast<int>(x.size()) - 1, size = 2 * cells + 1;
   SkinColumn result{MatrixXd::Zero(size, size), MatrixXd::Zero(size, size)};
   for (int cell = 0; cell < cells; ++cell) {
     const double height = x[cell + 1] - x[cell];
     const double conductance = side.conductivity / height, capacity = side.capacity * height;
-    auto k = result.stiffness.block(order * cell, order * cell, order + 1, order + 1);
-    auto m = result.mass.block(order * cell, order * cell, order + 1, order + 1);
-    if (order == 1) {
-      k += conductance * linear_stiffness;
-      m += capacity * linear_mass;
-    } else {
-      k += conductance * stiffness;
-      m += capacity * mass;
-    }
+    result.stiffness.block<3, 3>(2 * cell, 2 * cell) += conductance * stiffness;
+    result.mass.block<3, 3>(2 * cell, 2 * cell) += capacity * mass;
   }
   return result;
 }

@@ -12,7 +12,6 @@ struct SkinSide {
   double capacity;      ///< volumetric, J/m3/K
   double first_cell;    ///< height of the cells at the surface, m
   double growth = 0.5;  ///< of the cells' height with the depth
-  int order = 2;        ///< polynomial degree of the temperature
   double depth =
       std::numeric_limits<double>::infinity();  ///< of the layer, m: its volume over the area it exchanges by
 };

@@ -28,25 +28,23 @@ std::shared_ptr<const Batches> batches_of(const BodyView& body, core::Geometry g
 
 /// Adds the unknowns of a body's cells, by cell and by batch of cells.
 void add_unknowns(HeatSystem& system, const core::Mesh& mesh, Index first_unknown) {
-  const int used = system.problem->order == 2 ? 6 : 3;
   for (const auto& nodes : mesh.cells()) {
     auto& unknowns = system.cells.emplace_back();
-    for (int i = 0; i < used; ++i) unknowns[i] = first_unknown + nodes[i];
+    for (int i = 0; i < 6; ++i) unknowns[i] = first_unknown + nodes[i];
   }
   for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch) {
     BatchIndices<6>& unknowns = system.batches.emplace_back();
     core::set_nodes(mesh.cells(), batch, unknowns);
-    for (int i = 0; i < used; ++i)
-      for (Index& unknown : unknowns[i]) unknown += first_unknown;
+    for (auto& of_node : unknowns)
+      for (Index& unknown : of_node) unknown += first_unknown;
   }
 }
 
-template <int N>
 void add_source(HeatSystem& system, const BodyLaws& laws, const std::vector<double>& source) {
   for (Index c = laws.first_cell; c < laws.last_cell; ++c) {
     const Eigen::Map<const Eigen::Matrix<double, 6, 1>> at(source.data() + 6 * (c - laws.first_cell));
-    const Eigen::Matrix<double, N, 1> own = cell_shapes<N>().value.transpose() * at;
-    for (int i = 0; i < N; ++i) system.source[system.cells[c][i]] += own[i];
+    const Eigen::Matrix<double, 6, 1> own = cell_shapes<6>().value.transpose() * at;
+    for (int i = 0; i < 6; ++i) system.source[system.cells[c][i]] += own[i];
   }
 }
 
@@ -87,8 +85,7 @@ void number_unknowns(HeatSystem& system) {
     assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
     assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundaries().size());
     assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundaries().size());
-    const Index count = problem.order == 2 ? body.mesh->node_count() : body.mesh->vertex_count();
-    system.first_unknown.push_back(system.first_unknown.back() + count);
+    system.first_unknown.push_back(system.first_unknown.back() + body.mesh->node_count());
     system.first_boundary.push_back(boundaries);
     boundaries += static_cast<Index>(body.mesh->boundaries().size());
   }
@@ -98,7 +95,6 @@ void number_unknowns(HeatSystem& system) {
 }  // namespace
 
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept) {
-  assert(problem.order == 1 || problem.order == 2);
   HeatSystem system;
   system.problem = &problem;
   number_unknowns(system);
@@ -121,7 +117,7 @@ HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept
                              static_cast<Index>(system.cells.size()), first_batch,
                              batches_of(body, problem.geometry, kept ? &(*kept)[b] : nullptr)});
     if (body.source) {
-      (problem.order == 2 ? add_source<6> : add_source<3>)(system, system.bodies.back(), *body.source);
+      add_source(system, system.bodies.back(), *body.source);
       system.body_source[b] = std::accumulate(body.source->begin(), body.source->end(), 0.0);
     }
     add_edges(system, static_cast<Index>(b), boundary_edges);
@@ -165,16 +161,14 @@ Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd
 std::vector<Eigen::VectorXd> split(const HeatSystem& system, const Eigen::VectorXd& joined) {
   std::vector<Eigen::VectorXd> temperature;
   const auto& first = system.first_unknown;
-  for (std::size_t b = 0; b + 1 < first.size(); ++b) {
-    const Eigen::VectorXd own = joined.segment(first[b], first[b + 1] - first[b]);
-    temperature.push_back(system.problem->order == 2 ? own : core::from_vertices(*system.problem->bodies[b].mesh, own));
-  }
+  for (std::size_t b = 0; b + 1 < first.size(); ++b)
+    temperature.push_back(joined.segment(first[b], first[b + 1] - first[b]));
   return temperature;
 }
 
 std::array<Index, 3> edge_unknowns(const HeatSystem& system, Index body, const std::array<Index, 3>& nodes) {
   const Index first = system.first_unknown[body];
-  return {first + nodes[0], first + nodes[1], first + (system.problem->order == 2 ? nodes[2] : nodes[0])};
+  return {first + nodes[0], first + nodes[1], first + nodes[2]};
 }
 
 Index body_of(const HeatSystem& system, Index unknown) {

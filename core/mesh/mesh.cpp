@@ -164,18 +164,6 @@ Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_va
   return nodal;
 }
 
-Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load) {
-  Eigen::VectorXd left = nodal_load;
-  for (const auto& cell : mesh.cells())
-    for (int k = 0; k < 3; ++k) {
-      double& middle = left[cell[3 + k]];
-      left[cell[k]] += 0.5 * middle;
-      left[cell[(k + 1) % 3]] += 0.5 * middle;
-      middle = 0;
-    }
-  return left.head(mesh.vertex_count());
-}
-
 double size(const Mesh& mesh) {
   const Box box = bounding_box(mesh.nodes);
   return (box.high - box.low).norm();

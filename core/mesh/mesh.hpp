@@ -93,8 +93,6 @@ Mesh make_quadratic_mesh(const std::vector<Point>& vertices, const std::vector<s
 
 /// Nodal field from values at the vertices: the value of a mid-side node is the mean of its ends.
 Eigen::VectorXd from_vertices(const Mesh& mesh, const Eigen::VectorXd& vertex_values);
-/// The transposed map: what acts on the nodes, collected on the vertices.
-Eigen::VectorXd to_vertices(const Mesh& mesh, const Eigen::VectorXd& nodal_load);
 
 /// Size of the body, m: the diagonal of the box around its nodes.
 double size(const Mesh& mesh);

@@ -100,11 +100,10 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
                        const SurfaceTransfer& along_surface, State& next) {
   const core::Mesh &old = state.glass.mesh, &mesh = next.glass.mesh;
   const Eigen::VectorXd& temperature = state.glass.temperature;
-  const int order = scene.accuracy.temperature_order;
   Eigen::VectorXd& carried = next.glass.temperature;
   if (!scene.has_heat()) {
     if (temperature.size() > 0)
-      carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature, order);
+      carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature);
     return;
   }
   const auto heat = [&](const Eigen::VectorXd& field) {
@@ -114,9 +113,9 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   };
   std::vector<bool> on_surface(mesh.nodes.size(), false);
   for (const Index node : contact_nodes(mesh)) on_surface[node] = true;
-  const Eigen::VectorXd skin = along_surface.project(temperature, order);
-  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, order, on_surface, skin);
-  carried = remesh::restore_content(mesh, projected, heat, glass_heat(scene, state));
+  const Eigen::VectorXd skin = along_surface.project(temperature);
+  const auto projected = remesh::project(old, mesh, scene.geometry, transfer, temperature, on_surface, skin);
+  carried = remesh::restore_content(projected, heat, glass_heat(scene, state));
 }
 
 /// A nodal field with `components` numbers per node at the nodes of the new mesh.
@@ -142,7 +141,7 @@ void carry_fields(const Scene& scene, const State& state, const remesh::Transfer
       if (field.transfer == TransferRule::interpolate_along_surface && values.size() > 0)
         values = along_surface.interpolate(state.glass.*field.values);
       if (field.transfer == TransferRule::project_along_surface && values.size() > 0)
-        values = along_surface.project(state.glass.*field.values, 2);
+        values = along_surface.project(state.glass.*field.values);
       if (field.transfer == TransferRule::interpolate && values.size() > 0)
         values = interpolate_components(old, transfer, state.glass.*field.values, field.components);
     }

@@ -71,15 +71,10 @@ class NearestPoint {
   std::vector<double> radius_;
 };
 
-std::array<double, 3> shape_of(int order, const std::array<double, 3>& quadratic, double s) {
-  return order == 2 ? quadratic : std::array<double, 3>{1 - s, s, 0};
-}
-
 /// Along an edge, within the range of its nodes, as a pressure that is zero at one node is nowhere negative.
-double value_at(const core::BoundaryEdge& edge, const std::array<double, 3>& shape, const Eigen::VectorXd& field,
-                int order) {
+double value_at(const core::BoundaryEdge& edge, const std::array<double, 3>& shape, const Eigen::VectorXd& field) {
   double value = 0, low = field[edge.nodes[0]], high = low;
-  for (int i = 0; i < order + 1; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double nodal = field[edge.nodes[i]];
     value += shape[i] * nodal;
     low = std::min(low, nodal);
@@ -131,7 +126,7 @@ SurfaceTransfer::SurfaceTransfer(const core::Mesh& old, const core::Mesh& mesh, 
     const core::EdgePoint point = core::map_edge_point(mesh_, edges_[e].nodes, geometry_, at);
     const Nearest nearest = nearest_point(point.position, start);
     start = nearest.edge;
-    samples_.push_back({e, nearest.edge, nearest.s, point.shape, at.s, point.area});
+    samples_.push_back({e, nearest.edge, nearest.s, point.shape, point.area});
   };
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     for (const double s : {0.0, 0.5, 1.0}) sample(e, {s, 0});  // the nodes
@@ -148,44 +143,37 @@ Eigen::VectorXd SurfaceTransfer::interpolate(const Eigen::VectorXd& field) const
       for (int i = 0; i < 3; ++i)
         if (sample.shape[i] == 1)
           carried[edges_[sample.edge].nodes[i]] =
-              value_at(old_edges_[sample.old_edge], core::edge_shape(sample.old_s), field, 2);
+              value_at(old_edges_[sample.old_edge], core::edge_shape(sample.old_s), field);
   return carried;
 }
 
-double SurfaceTransfer::integral(const Eigen::VectorXd& field, int order) const {
+double SurfaceTransfer::integral(const Eigen::VectorXd& field) const {
   double sum = 0;
   for (const Sample& sample : samples_)
-    sum += sample.area * value_at(edges_[sample.edge], shape_of(order, sample.shape, sample.s), field, order);
+    sum += sample.area * value_at(edges_[sample.edge], sample.shape, field);
   return sum;
 }
 
-Eigen::VectorXd SurfaceTransfer::project(const Eigen::VectorXd& field, int order) const {
-  const core::Index size = order == 2 ? mesh_.node_count() : mesh_.vertex_count();
+Eigen::VectorXd SurfaceTransfer::project(const Eigen::VectorXd& field) const {
+  const core::Index size = mesh_.node_count();
   Eigen::VectorXd load = Eigen::VectorXd::Zero(size), low = load, high = load;
   std::vector<bool> seen(static_cast<std::size_t>(size), false);
   double wanted = 0;
   for (const Sample& sample : samples_) {
-    const auto old_shape = shape_of(order, core::edge_shape(sample.old_s), sample.old_s);
-    const double value = value_at(old_edges_[sample.old_edge], old_shape, field, order);
-    const auto shape = shape_of(order, sample.shape, sample.s);
+    const double value = value_at(old_edges_[sample.old_edge], core::edge_shape(sample.old_s), field);
     wanted += sample.area * value;
-    for (int i = 0; i < order + 1; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const core::Index node = edges_[sample.edge].nodes[i];
-      load[node] += shape[i] * sample.area * value;
+      load[node] += sample.shape[i] * sample.area * value;
       low[node] = seen[node] ? std::min(low[node], value) : value;
       high[node] = seen[node] ? std::max(high[node], value) : value;
       seen[node] = true;
     }
   }
-  const remesh::MassMatrix mass(mesh_, geometry_, order, edges_);
+  const remesh::MassMatrix mass(mesh_, geometry_, edges_);
   Eigen::VectorXd found = solve_within(mass, load, low, high);
-  restore_integral([&](const Eigen::VectorXd& trial) { return integral(trial, order); }, wanted, low, high, found);
-  Eigen::VectorXd carried = Eigen::VectorXd::Zero(mesh_.node_count());
-  carried.head(size) = found;
-  if (order == 1)
-    for (const core::BoundaryEdge& edge : edges_)
-      carried[edge.nodes[2]] = 0.5 * (carried[edge.nodes[0]] + carried[edge.nodes[1]]);
-  return carried;
+  restore_integral([&](const Eigen::VectorXd& trial) { return integral(trial); }, wanted, low, high, found);
+  return found;
 }
 
 }  // namespace parison::forming

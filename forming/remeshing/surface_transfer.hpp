@@ -14,11 +14,10 @@ class SurfaceTransfer {
  public:
   SurfaceTransfer(const core::Mesh& old, const core::Mesh& mesh, core::Geometry geometry);
 
-  /// A nodal field of the old mesh, quadratic along its edges (`order` 2) or linear, on the new one by L2 projection,
-  /// with its integral, within the range of the nodes along each edge, as far as the bounds allow: what a tool takes up
+  /// A nodal field of the old mesh on the new one by L2 projection, with its integral, within the range of the nodes along each edge, as far as the bounds allow: what a tool takes up
   /// is an integral over the surface. By interpolation the heat to tools changed by up to half a per cent where
   /// pressure or temperature vary within an edge.
-  Eigen::VectorXd project(const Eigen::VectorXd& field, int order) const;
+  Eigen::VectorXd project(const Eigen::VectorXd& field) const;
   /// A quadratic field at the nearest point of the old surface: for one whose smallest values count most.
   Eigen::VectorXd interpolate(const Eigen::VectorXd& field) const;
 
@@ -28,11 +27,11 @@ class SurfaceTransfer {
     std::size_t edge, old_edge;
     double old_s;
     std::array<double, 3> shape;  ///< quadratic shape functions of the new edge
-    double s, area;               ///< along the new edge; m2
+    double area;                  ///< m2
   };
 
   /// Of a field of the new mesh along the surface, its unit times m2.
-  double integral(const Eigen::VectorXd& field, int order) const;
+  double integral(const Eigen::VectorXd& field) const;
 
   const core::Mesh& mesh_;
   core::Geometry geometry_;

@@ -72,8 +72,6 @@ void add_run(JsonWriter& json, const Scene& scene, const State& state, const Sum
 void add_numerics(JsonWriter& json, const Accuracy& accuracy) {
   json.open_object("numerics");
   for (const Setting& setting : settings()) json.add(setting.key, accuracy.*setting.value);
-  json.add("temperature_order", static_cast<long>(accuracy.temperature_order));
-  json.add("passes", static_cast<long>(accuracy.passes));
   json.close();
 }
 

@@ -18,9 +18,6 @@ namespace dimension = core::dimension;
 
 constexpr std::array preset_names{"draft", "standard", "fine"};
 constexpr const char* coarser_word = " coarser ";
-constexpr std::array passes{1, 1, 1};
-constexpr std::array temperature_orders{2, 2, 2};
-static_assert(passes.size() == preset_names.size() && temperature_orders.size() == preset_names.size());
 constexpr double min_target = 0.0013, max_target = 0.07;  ///< at the levels 2.9 and -2
 
 std::size_t nearest_preset(double level) {
@@ -120,8 +117,6 @@ Accuracy accuracy_at(double level) {
   // Beyond the presets it would leave what a mesh can have.
   const auto& floors = levels_of(&Accuracy::quality_floor);
   accuracy.quality_floor = std::clamp(accuracy.quality_floor, floors.front(), floors.back());
-  accuracy.passes = passes[nearest];
-  accuracy.temperature_order = temperature_orders[nearest];
   return accuracy;
 }
 

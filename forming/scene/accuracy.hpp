@@ -30,8 +30,6 @@ struct Accuracy {
   double quality_floor;          ///< remesh below this scaled inverse condition number
   double motion_tolerance;       ///< a coupling iteration whose velocity moves the mid-step mesh by more than this is
                                  ///< repeated, m
-  int temperature_order;         ///< of the temperature in a cell: 2, or 1: linear between the vertices
-  int passes;                    ///< flow and heat in a step, so many times
 };
 
 /// Growth of the edge with the distance from the surface of the glass or the contact boundaries of a tool.
@@ -51,7 +49,7 @@ struct Setting {
 const std::vector<Setting>& settings();
 
 /// The accuracy level as one number: 0 is draft, 1 standard, 2 fine, and every setting runs evenly in its logarithm
-/// between and beyond them; passes and temperature_order are those of the nearest preset.
+/// between and beyond them.
 Accuracy accuracy_at(double level);
 
 /// The same run with edges and steps `factor` times as long, tolerances to match.

@@ -49,7 +49,7 @@ thermal::SkinSide skin_side(const Scene& scene, Index body, double first_cell) {
   double growth = data.mesh.growth.value_or(edge_growth);
   if (data.mesh.mapped) growth = std::max(growth, growth_of(*data.mesh.mapped));
   return {thermal::conductivity(material, temperature, 0), material.density * material.heat_capacity(temperature),
-          first_cell, growth, scene.accuracy.temperature_order};
+          first_cell, growth};
 }
 
 double perfect_contact(const Scene& scene, const Interface& interface) {

@@ -93,16 +93,13 @@ std::vector<double> fitting_sizes(const Mesh& mesh, const FieldMisfit& misfit) {
 }
 
 Eigen::VectorXd fitted_field(const Mesh& mesh, core::Geometry geometry, const PlacedTemperature& function,
-                             const std::function<double(double)>& heat, int order) {
+                             const std::function<double(double)>& heat) {
   constexpr int divisions = 8;
   const Eigen::VectorXd interpolated = at_nodes(mesh, function);
   if (misfit(mesh, geometry, interpolated, function).share() <= start_field_tolerance) return interpolated;
-  const bool quadratic = order == 2;
-  const Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(mesh.vertex_count()));
-  const Eigen::VectorXd nodal = quadratic ? start : core::from_vertices(mesh, start);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh.node_count());
   double content = 0, lowest = interpolated.minCoeff(), highest = interpolated.maxCoeff();
-  for_each_point(mesh, geometry, divisions, nodal, function,
+  for_each_point(mesh, geometry, divisions, interpolated, function,
                  [&](Index cell, const core::CellPoint& point, double value, double wanted) {
                    for (int k = 0; k < 6; ++k)
                      load[mesh.cells()[cell][k]] += point.shape[k] * (wanted - value) * point.volume;
@@ -110,16 +107,16 @@ Eigen::VectorXd fitted_field(const Mesh& mesh, core::Geometry geometry, const Pl
                    lowest = std::min(lowest, wanted);
                    highest = std::max(highest, wanted);
                  });
-  const remesh::MassMatrix mass(mesh, geometry, order);
+  const remesh::MassMatrix mass(mesh, geometry);
   remesh::Carried carried;
-  carried.value = mass.solve(mass.multiply(start) + (quadratic ? load : core::to_vertices(mesh, load)), start);
+  carried.value = mass.solve(mass.multiply(interpolated) + load, interpolated);
   carried.low = Eigen::VectorXd::Constant(carried.value.size(), lowest);
   carried.high = Eigen::VectorXd::Constant(carried.value.size(), highest);
   carried.lowest = lowest;
   carried.highest = highest;
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
   const auto content_of = [&](const Eigen::VectorXd& field) { return core::integral(mesh, geometry, field, heat); };
-  return remesh::restore_content(mesh, carried, content_of, content);
+  return remesh::restore_content(carried, content_of, content);
 }
 
 }  // namespace parison::forming

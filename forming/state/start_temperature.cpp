@@ -28,11 +28,10 @@ Eigen::VectorXd handed_over(const Scene& scene, const Body& body, const core::Me
     const thermal::BodyView view{&of, &of, body.thermal->density, &*body.thermal, {}, {}};
     return thermal::heat_content(view, scene.geometry, temperature) / core::volume(of, scene.geometry);
   };
-  const int order = scene.accuracy.temperature_order;
   const auto carried = remesh::project(field.mesh, mesh, scene.geometry, remesh::make_transfer(field.mesh, mesh),
-                                       field.temperature, order);
+                                       field.temperature);
   return remesh::restore_content(
-      mesh, carried, [&](const Eigen::VectorXd& temperature) { return mean_heat(mesh, temperature); },
+      carried, [&](const Eigen::VectorXd& temperature) { return mean_heat(mesh, temperature); },
       mean_heat(field.mesh, field.temperature));
 }
 
@@ -50,7 +49,7 @@ Eigen::VectorXd start_temperature(const Scene& scene, Index body, const core::Me
   const Body& data = body_of(scene, body);
   if (const PlacedTemperature function = start_function(scene, body)) {
     const auto fitted = [&](const std::function<double(double)>& heat) {
-      return fitted_field(mesh, scene.geometry, function, heat, scene.accuracy.temperature_order);
+      return fitted_field(mesh, scene.geometry, function, heat);
     };
     if (!data.thermal) return fitted([](double T) { return T; });
     return fitted([enthalpy = thermal::Enthalpy(data.thermal->heat_capacity)](double T) { return enthalpy(T).h; });

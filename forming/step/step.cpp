@@ -94,9 +94,9 @@ MidpointPredictor first_prediction(const Scene& scene, const State& state, doubl
   return predictor;
 }
 
-/// How often flow and heat are passed through in a step.
+/// How often flow and heat are passed through in a step: again where the flow had no temperature to begin with.
 int passes(const Scene& scene, const State& state) {
-  return scene.has_flow() ? std::max(scene.accuracy.passes, predicts_temperature(scene, state) ? 1 : 2) : 1;
+  return scene.has_flow() && !predicts_temperature(scene, state) ? 2 : 1;
 }
 
 /// Goes back to the step's start with a prediction from what the pass before has found.

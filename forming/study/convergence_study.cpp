@@ -154,15 +154,9 @@ std::vector<Variant> numerical_variants(const Scene& scene) {
     for (const double factor : {4.0, 0.25}) add_key("time", "work_per_step", factor);
     for (const double factor : {4.0, 0.25}) add_key("time", "motion_tolerance", factor);
     add_key("time", "max_step", 2);
-    for (const int passes : {1, 2, 3})
-      if (passes != scene.accuracy.passes)
-        add(fmt::format("passes_{}", passes), "coupling", {fmt::format("numerics.passes={}", passes)});
   }
-  if (scene.has_heat()) {
+  if (scene.has_heat())
     for (const double factor : {4.0, 0.25}) add_key("time", "temperature_tolerance", factor);
-    const int other = 3 - scene.accuracy.temperature_order;
-    add(fmt::format("temperature_order_{}", other), "order", {fmt::format("numerics.temperature_order={}", other)});
-  }
   return variants;
 }
 

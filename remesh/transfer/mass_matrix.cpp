@@ -7,14 +7,6 @@ namespace parison::remesh {
 
 using core::Index;
 
-namespace {
-
-Index unknowns(const core::Mesh& mesh, int order) {
-  return order == 2 ? mesh.node_count() : mesh.vertex_count();
-}
-
-}  // namespace
-
 /// Adds the lower triangle of a quadrature point.
 void MassMatrix::add(Element& element, const double* shape, double measure) const {
   for (int i = 0; i < functions_; ++i)
@@ -30,30 +22,29 @@ void MassMatrix::close(Element& element) {
   }
 }
 
-MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order)
-    : functions_(order == 2 ? 6 : 3), diagonal_(Eigen::VectorXd::Zero(unknowns(mesh, order))) {
+MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry)
+    : functions_(6), diagonal_(Eigen::VectorXd::Zero(mesh.node_count())) {
   elements_.reserve(mesh.cells().size());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Element& element = elements_.emplace_back(Element{mesh.cells()[cell], {}});
     for (const core::TriangleRulePoint& at : core::triangle_rule(6)) {
       const core::CellPoint point = core::map_cell_point(mesh, cell, geometry, at);
-      add(element, order == 2 ? point.shape.data() : point.linear.data(), point.volume);
+      add(element, point.shape.data(), point.volume);
     }
     close(element);
   }
 }
 
-MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order,
+MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry,
                        const std::vector<core::BoundaryEdge>& edges)
-    : functions_(order == 2 ? 3 : 2), diagonal_(Eigen::VectorXd::Zero(unknowns(mesh, order))) {
+    : functions_(3), diagonal_(Eigen::VectorXd::Zero(mesh.node_count())) {
   constexpr int points = 4;  // exact to degree 7: two quadratics, the radius and half of a curved edge's length
   elements_.reserve(edges.size());
   for (const core::BoundaryEdge& edge : edges) {
     Element& element = elements_.emplace_back(Element{{edge.nodes[0], edge.nodes[1], edge.nodes[2]}, {}});
     for (const core::EdgeRulePoint& at : core::edge_rule(points)) {
       const core::EdgePoint point = core::map_edge_point(mesh, edge.nodes, geometry, at);
-      const std::array<double, 3> linear{1 - at.s, at.s, 0};
-      add(element, order == 2 ? point.shape.data() : linear.data(), point.area);
+      add(element, point.shape.data(), point.area);
     }
     close(element);
   }

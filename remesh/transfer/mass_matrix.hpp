@@ -4,14 +4,13 @@
 
 namespace parison::remesh {
 
-/// Consistent mass matrix int N_i N_j dV, m3, or of a surface int N_i N_j dA, m2, stored element by element, of the
-/// quadratic shape functions of the nodes (order 2) or the linear ones of the vertices (order 1).
+/// Consistent mass matrix int N_i N_j dV, m3, or of a surface int N_i N_j dA, m2, stored element by element.
 class MassMatrix {
  public:
   /// Of all cells.
-  MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order);
+  MassMatrix(const core::Mesh& mesh, core::Geometry geometry);
   /// Of edges of the boundary; the diagonal is 1 for nodes of none of them.
-  MassMatrix(const core::Mesh& mesh, core::Geometry geometry, int order, const std::vector<core::BoundaryEdge>& edges);
+  MassMatrix(const core::Mesh& mesh, core::Geometry geometry, const std::vector<core::BoundaryEdge>& edges);
 
   Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 

@@ -97,49 +97,42 @@ double mean(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& no
 }
 
 Carried project(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                const Eigen::VectorXd& nodal, int order, std::vector<bool> is_given, const Eigen::VectorXd& given) {
-  const MassMatrix mass(to, geometry, order);
-  const Eigen::VectorXd interpolated = interpolate(from, transfer, nodal);
-  const bool quadratic = order == 2;
-  Eigen::VectorXd start = quadratic ? interpolated : Eigen::VectorXd(interpolated.head(to.vertex_count()));
-  if (!is_given.empty()) is_given.resize(static_cast<std::size_t>(start.size()));
+                const Eigen::VectorXd& nodal, std::vector<bool> is_given, const Eigen::VectorXd& given) {
+  const MassMatrix mass(to, geometry);
+  Eigen::VectorXd start = interpolate(from, transfer, nodal);
   const auto for_each_given = [&](const auto& what) {
     for (std::size_t i = 0; i < is_given.size(); ++i)
       if (is_given[i]) what(static_cast<Index>(i));
   };
   for_each_given([&](Index i) { start[i] = given[i]; });
   // Where the chords of old cells lie on each other both cells count: of a small difference, that does no harm.
-  const Eigen::VectorXd load =
-      overlay_load(from, to, geometry, nodal, quadratic ? start : core::from_vertices(to, start));
   Carried carried;
-  carried.value = mass.solve(mass.multiply(start) + (quadratic ? load : core::to_vertices(to, load)), start, is_given);
+  carried.value = mass.solve(mass.multiply(start) + overlay_load(from, to, geometry, nodal, start), start, is_given);
   set_ranges(from, transfer, nodal, carried);
   for_each_given([&](Index i) { carried.low[i] = carried.high[i] = given[i]; });
   carried.value = carried.value.cwiseMax(carried.low).cwiseMin(carried.high);
   return carried;
 }
 
-Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Content& content, double target) {
+Eigen::VectorXd restore_content(const Carried& carried, const Content& content, double target) {
   constexpr double kept = 1e-13;
-  const auto nodal = [&](const Eigen::VectorXd& value) -> Eigen::VectorXd {
-    return value.size() == to.node_count() ? value : core::from_vertices(to, value);
-  };
-  TrialField start{nodal(carried.value), 0};
+  TrialField start{carried.value, 0};
   const double carried_content = content(start.field),
                derivative = content((start.field.array() + 1).matrix()) - carried_content;
   start.defect = carried_content - target;
-  const auto shifted = [&](double t) {
-    return nodal((carried.value.array() + t).matrix().cwiseMax(carried.low).cwiseMin(carried.high));
+  const auto shifted = [&](double t) -> Eigen::VectorXd {
+    return (carried.value.array() + t).matrix().cwiseMax(carried.low).cwiseMin(carried.high);
   };
   TrialField near = secant_search(shifted, content, target, start, -start.defect / derivative);
   if (std::abs(near.defect) <= kept * std::abs(target)) return near.field;
   // The bounds do not admit the wanted content: every value moves by the same fraction of its distance to an old
   // extreme.
   const double limit = start.defect < 0 ? carried.highest : carried.lowest;
-  const auto drawn = [&](double t) {
+  const auto drawn = [&](double t) -> Eigen::VectorXd {
     const double fraction = std::clamp(t, 0.0, 1.0);
-    return nodal(
-        ((1 - fraction) * carried.value.array() + fraction * limit).cwiseMax(carried.lowest).cwiseMin(carried.highest));
+    return ((1 - fraction) * carried.value.array() + fraction * limit)
+        .cwiseMax(carried.lowest)
+        .cwiseMin(carried.highest);
   };
   const double room = content(Eigen::VectorXd::Constant(start.field.size(), limit)) - carried_content;
   const TrialField far = secant_search(drawn, content, target, start, room != 0 ? -start.defect / room : 0.0);
@@ -147,9 +140,9 @@ Eigen::VectorXd restore_content(const Mesh& to, const Carried& carried, const Co
 }
 
 Eigen::VectorXd transfer_conserving(const Mesh& from, const Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                                    const Eigen::VectorXd& nodal, int order) {
+                                    const Eigen::VectorXd& nodal) {
   const auto content = [&](const Eigen::VectorXd& field) { return mean(to, geometry, field); };
-  return restore_content(to, project(from, to, geometry, transfer, nodal, order), content, mean(from, geometry, nodal));
+  return restore_content(project(from, to, geometry, transfer, nodal), content, mean(from, geometry, nodal));
 }
 
 }  // namespace parison::remesh

@@ -20,17 +20,16 @@ Eigen::VectorXd interpolate(const core::Mesh& from, const Transfer& transfer, co
 
 /// A projected field before its content is restored.
 struct Carried {
-  Eigen::VectorXd value;      ///< at the nodes (order 2) or at the vertices (order 1)
+  Eigen::VectorXd value;      ///< at the nodes
   Eigen::VectorXd low, high;  ///< bounds of each value, within the old nodal extremes
   double lowest, highest;     ///< old nodal extremes
 };
 
-/// L2 projection of the old field onto quadratic functions (order 2) or linear ones (order 1) of the new mesh. Each
-/// value is limited to the range of the old cell it lies in, widened by half of that range on both sides. At the nodes
+/// L2 projection of the old field onto the quadratic functions of the new mesh. Each value is limited to the range of the old cell it lies in, widened by half of that range on both sides. At the nodes
 /// of the new mesh in `is_given`, empty for none, the value is that of `given` and no other; the rest is projected
 /// beside them.
 Carried project(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                const Eigen::VectorXd& nodal, int order, std::vector<bool> is_given = {},
+                const Eigen::VectorXd& nodal, std::vector<bool> is_given = {},
                 const Eigen::VectorXd& given = {});
 
 /// The conserved quantity of a field as a function of its nodal values.
@@ -38,11 +37,11 @@ using Content = std::function<double(const Eigen::VectorXd&)>;
 
 /// The nodal field with the wanted content that is closest to the projected one: all values change by the same amount,
 /// as far as their bounds allow.
-Eigen::VectorXd restore_content(const core::Mesh& to, const Carried& carried, const Content& content, double target);
+Eigen::VectorXd restore_content(const Carried& carried, const Content& content, double target);
 
 /// Projection and restored content in one, for a field whose volume mean is conserved.
 Eigen::VectorXd transfer_conserving(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry,
-                                    const Transfer& transfer, const Eigen::VectorXd& nodal, int order = 2);
+                                    const Transfer& transfer, const Eigen::VectorXd& nodal);
 
 /// Volume mean of a nodal field.
 double mean(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal);

@@ -21,13 +21,6 @@ using core::VectorizedArray;
 using EdgeShapes = std::array<std::array<double, 3>, 3>;
 const EdgeShapes& edge_shapes();
 
-/// Weights of the unknowns of an edge from those of its nodes. Where only the vertices are unknowns, a mid-side node
-/// gives half its weight to either end and keeps none.
-inline std::array<double, 3> unknown_weights(const std::array<double, 3>& shape, int order) {
-  if (order == 2) return shape;
-  return {shape[0] + 0.5 * shape[2], shape[1] + 0.5 * shape[2], 0};
-}
-
 /// Value at a point of an edge from its three unknowns.
 inline double interpolate(const Eigen::VectorXd& values, const core::Index* unknowns,
                           const std::array<double, 3>& shape) {

@@ -27,25 +27,25 @@ template <typename Work>
 }
 
 /// Temperature and its gradient at the quadrature points.
-template <int N>
-[[gnu::always_inline]] inline void set_at_points(const UnknownValues<N>& own, PointValues& at, Gradient& gradient) {
-  const CellShapes<N>& shapes = cell_shapes<N>();
+[[gnu::always_inline]] inline void set_at_points(const UnknownValues<6>& own, PointValues& at, Gradient& gradient) {
+  const CellShapes<6>& shapes = cell_shapes<6>();
   core::interpolate(shapes.value, own, at);
   core::interpolate(shapes.derivative_a, own, gradient.along_a);
   core::interpolate(shapes.derivative_b, own, gradient.along_b);
 }
 
-template <int N>
-[[gnu::always_inline]] inline void add_of_order(const HeatSystem& system, const Eigen::VectorXd& temperature,
+}  // namespace
+
+[[gnu::target_clones("avx2", "default")]] void add_cells(const HeatSystem& system, const Eigen::VectorXd& temperature,
                                                 const Eigen::VectorXd* rate, Response& response) {
-  const CellShapes<N>& shapes = cell_shapes<N>();
+  const CellShapes<6>& shapes = cell_shapes<6>();
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
     const BatchIndices<6>& unknowns = system.batches[g];
-    UnknownValues<N> own{}, content{}, power{};
+    UnknownValues<6> own{}, content{}, power{};
     PointValues at, stored, k;
     Gradient gradient, flow;
     core::gather(temperature.data(), unknowns, own);
-    set_at_points<N>(own, at, gradient);
+    set_at_points(own, at, gradient);
     laws.conductivity.set_values(at, cells.thin_wall, k);
     set_flow(cells, gradient, flow);
     if (rate) {
@@ -71,15 +71,15 @@ template <int N>
   for_each_batch(system, work);
 }
 
-template <int N>
-[[gnu::always_inline]] inline void linearise_of_order(const HeatSystem& system, const Eigen::VectorXd& temperature,
+[[gnu::target_clones("avx2", "default")]] void linearise_cells(const HeatSystem& system, const Eigen::VectorXd& temperature,
                                                       std::vector<BatchDerivatives>& batches) {
+  batches.resize(system.batches.size());
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    UnknownValues<N> own{};
+    UnknownValues<6> own{};
     PointValues at, dk_dT;
     Gradient gradient, flow;
     core::gather(temperature.data(), system.batches[g], own);
-    set_at_points<N>(own, at, gradient);
+    set_at_points(own, at, gradient);
     set_flow(cells, gradient, flow);
     BatchDerivatives& derivatives = batches[g];
     laws.enthalpy.set_capacities(at, derivatives.capacity);
@@ -94,17 +94,16 @@ template <int N>
   for_each_batch(system, work);
 }
 
-template <int N>
-[[gnu::always_inline]] inline void apply_of_order(const HeatSystem& system,
+[[gnu::target_clones("avx2", "default")]] void apply_cells(const HeatSystem& system,
                                                   const std::vector<BatchDerivatives>& batches, double step,
                                                   const Eigen::VectorXd& change, Eigen::VectorXd& result) {
-  const CellShapes<N>& shapes = cell_shapes<N>();
+  const CellShapes<6>& shapes = cell_shapes<6>();
   const auto work = [&](const BodyLaws&, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    UnknownValues<N> own{}, sum{};
+    UnknownValues<6> own{}, sum{};
     PointValues at;
     Gradient gradient, flow;
     core::gather(change.data(), system.batches[g], own);
-    set_at_points<N>(own, at, gradient);
+    set_at_points(own, at, gradient);
     set_flow(cells, gradient, flow);
     const BatchDerivatives& derivatives = batches[g];
     for (int q = 0; q < 6; ++q) {
@@ -120,76 +119,38 @@ template <int N>
   for_each_batch(system, work);
 }
 
-template <int N>
-[[gnu::always_inline]] inline void assemble_of_order(StepMatrix& matrix, const HeatSystem& system,
+[[gnu::target_clones("avx2", "default")]] void assemble_cells(StepMatrix& matrix, const HeatSystem& system,
                                                      const Eigen::VectorXd& temperature, double step) {
-  const auto& shapes = cell_shapes<N>();
+  const auto& shapes = cell_shapes<6>();
   const auto &value = shapes.value, &derivative_a = shapes.derivative_a, &derivative_b = shapes.derivative_b;
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
-    UnknownValues<N> own{};
+    UnknownValues<6> own{};
     PointValues at, heat_capacity, conductivity;
     core::gather(temperature.data(), system.batches[g], own);
     core::interpolate(value, own, at);
     laws.enthalpy.set_capacities(at, heat_capacity);
     laws.conductivity.set_values(at, cells.thin_wall, conductivity);
-    std::array<UnknownValues<N>, N> local{};  // lower triangle
+    std::array<UnknownValues<6>, 6> local{};  // lower triangle
     for (int q = 0; q < 6; ++q) {
       const VectorizedArray capacity = heat_capacity[q] * cells.mass[q], k = step * conductivity[q];
       const VectorizedArray aa = k * cells.aa[q], ab = k * cells.ab[q], bb = k * cells.bb[q];
-      for (int j = 0; j < N; ++j) {
+      for (int j = 0; j < 6; ++j) {
         const VectorizedArray stored = capacity * value(q, j);
         const VectorizedArray flow_a = aa * derivative_a(q, j) + ab * derivative_b(q, j),
                               flow_b = ab * derivative_a(q, j) + bb * derivative_b(q, j);
-        for (int i = j; i < N; ++i)
+        for (int i = j; i < 6; ++i)
           local[i][j] += value(q, i) * stored + (derivative_a(q, i) * flow_a + derivative_b(q, i) * flow_b);
       }
     }
     const Index first = laws.first_cell + batch_size * (g - laws.first_batch);
     for (int c = 0; c < std::min(batch_size, laws.last_cell - first); ++c) {
-      std::array<double, N * N> of_cell;
-      for (int i = 0; i < N; ++i)
-        for (int j = 0; j <= i; ++j) of_cell[i * N + j] = local[i][j][c];
-      add_clique(matrix, system, first + c, N, system.cells[first + c].data(), of_cell.data());
+      std::array<double, 36> of_cell;
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j) of_cell[6 * i + j] = local[i][j][c];
+      add_clique(matrix, system, first + c, 6, system.cells[first + c].data(), of_cell.data());
     }
   };
   for_each_batch(system, work);
-}
-
-}  // namespace
-
-[[gnu::target_clones("avx2", "default")]] void add_cells(const HeatSystem& system, const Eigen::VectorXd& temperature,
-                                                         const Eigen::VectorXd* rate, Response& response) {
-  if (system.problem->order == 2)
-    add_of_order<6>(system, temperature, rate, response);
-  else
-    add_of_order<3>(system, temperature, rate, response);
-}
-
-[[gnu::target_clones("avx2", "default")]] void linearise_cells(const HeatSystem& system,
-                                                               const Eigen::VectorXd& temperature,
-                                                               std::vector<BatchDerivatives>& batches) {
-  batches.resize(system.batches.size());
-  if (system.problem->order == 2)
-    linearise_of_order<6>(system, temperature, batches);
-  else
-    linearise_of_order<3>(system, temperature, batches);
-}
-
-[[gnu::target_clones("avx2", "default")]] void apply_cells(const HeatSystem& system,
-                                                           const std::vector<BatchDerivatives>& batches, double step,
-                                                           const Eigen::VectorXd& change, Eigen::VectorXd& result) {
-  if (system.problem->order == 2)
-    apply_of_order<6>(system, batches, step, change, result);
-  else
-    apply_of_order<3>(system, batches, step, change, result);
-}
-
-[[gnu::target_clones("avx2", "default")]] void assemble_cells(StepMatrix& matrix, const HeatSystem& system,
-                                                              const Eigen::VectorXd& temperature, double step) {
-  if (system.problem->order == 2)
-    assemble_of_order<6>(matrix, system, temperature, step);
-  else
-    assemble_of_order<3>(matrix, system, temperature, step);
 }
 
 }  // namespace parison::thermal

@@ -9,15 +9,8 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr int light_order = 2;  ///< polynomial degree of the irradiation
-
 const core::Mesh& mesh_of(const Light& light, const HeatSystem& system) {
   return *system.problem->bodies[light.body].mesh;
-}
-
-/// Unknowns of G at the nodes of an edge, ordered as in HeatEdge.
-std::array<Index, 3> light_unknowns(const std::array<Index, 3>& nodes, int order) {
-  return {nodes[0], nodes[1], order == 2 ? nodes[2] : nodes[0]};
 }
 
 bool same_laws(const Radiation& a, const Radiation& b) {
@@ -32,9 +25,9 @@ bool same_laws(const Radiation& a, const Radiation& b) {
 /// Pattern and symbolic factors for the mesh.
 void analyse(KeptLight& kept, const core::Mesh& mesh, Index size) {
   core::Cliques cliques;
-  for (const auto& nodes : mesh.cells()) cliques.add(nodes.data(), kept.order == 2 ? 6 : 3);
+  for (const auto& nodes : mesh.cells()) cliques.add(nodes.data(), 6);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    cliques.add(light_unknowns(edge.nodes, kept.order).data(), kept.order == 2 ? 3 : 2);
+    cliques.add(edge.nodes.data(), 3);
   kept.assembly = core::make_assembly(size, cliques);
   kept.cells = mesh.cells();
   kept.factor.clear();
@@ -52,18 +45,15 @@ void add_edges(Light& light, const HeatSystem& system, Index first_boundary_edge
     const bool black = !body.prescribed.empty() && body.prescribed[boundary.boundary_id];
     if (!black && !body.light.surroundings[boundary.boundary_id]) continue;
     LightEdge edge{edge_unknowns(system, light.body, boundary.nodes),
-                   light_unknowns(boundary.nodes, light.order),
+                   boundary.nodes,
                    first_boundary_edge + static_cast<Index>(e),
                    boundary.nodes[2],
                    boundary.boundary_id,
                    black,
                    {},
-                   {},
-                   {}};
+                   edge_shapes()};
     for (int q = 0; q < 3; ++q) {
       edge.area[q] = core::map_edge_point(*body.mesh, boundary.nodes, system.problem->geometry, rule[q]).area;
-      edge.temperature_shape[q] = unknown_weights(edge_shapes()[q], system.problem->order);
-      edge.light_shape[q] = unknown_weights(edge_shapes()[q], light.order);
     }
     light.edges.push_back(edge);
   }
@@ -83,11 +73,11 @@ void add_contacts(Light& light, const HeatSystem& system) {
   const std::vector<Index> boundaries = boundaries_of_mid_nodes(*bodies[light.body].mesh);
   for (const core::InterfacePoint& point : system.problem->interface) {
     assert(point.slave_body == light.body);
-    const auto shape = unknown_weights(point.slave_shape, light.order);
+    const auto& shape = point.slave_shape;
     const Index boundary = boundaries[point.slave_nodes[2]];
     const bool open = bool(own.surroundings[boundary]);
     const double emissivity = bodies[point.master_body].light.emissivity;
-    light.contacts.push_back({light_unknowns(point.slave_nodes, light.order),
+    light.contacts.push_back({point.slave_nodes,
                               {shape[0], shape[1], shape[2]},
                               boundary,
                               open,
@@ -103,11 +93,11 @@ void assemble_surface(const Light& light, int group, const HeatSystem& system, I
                       core::SymmetricMatrix& matrix) {
   const core::Scatter& scatter = light.kept->assembly.scatter;
   const core::Mesh& mesh = mesh_of(light, system);
-  const Index count = light.order == 2 ? 3 : 2;
+  constexpr Index count = 3;
   std::vector<Eigen::Matrix3d> local(mesh.boundary_edges().size(), Eigen::Matrix3d::Zero());
   for (const LightEdge& edge : light.edges)
     for (int q = 0; q < 3; ++q) {
-      const Eigen::Map<const Eigen::Vector3d> shape(edge.light_shape[q].data());
+      const Eigen::Map<const Eigen::Vector3d> shape(edge.shape[q].data());
       local[edge.boundary_edge - first_boundary_edge] +=
           light.coefficient(group, edge) * edge.area[q] * shape * shape.transpose();
     }
@@ -137,7 +127,7 @@ void factorise(Light& light, const HeatSystem& system, Index first_boundary_edge
     core::SymmetricMatrix& matrix = kept.assembly.matrix;
     std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
     const LightGroup& group = kept.laws.group(k);
-    assemble_group(cells, light.volumes, light.relative_of(k), mesh_of(light, system).cell_count(), light.order,
+    assemble_group(cells, light.volumes, light.relative_of(k), mesh_of(light, system).cell_count(),
                    group.diffusion, group.absorption, kept.assembly);
     assemble_surface(light, k, system, first_boundary_edge, matrix);
     light.solvable = kept.factor[k].factorise(matrix) && light.solvable;
@@ -145,12 +135,12 @@ void factorise(Light& light, const HeatSystem& system, Index first_boundary_edge
 }
 
 /// Sets the absorption at the points where it depends on temperature.
-void set_relative_absorption(Light& light, const BodyView& view, int temperature_order) {
+void set_relative_absorption(Light& light, const BodyView& view) {
   light.kept->varies = absorption_varies(*view.material);
   if (!light.kept->varies) return;
   assert(view.absorption_at);
   const Field temperature =
-      at_points(light.batches.data(), light.batches.size(), temperature_order, view.absorption_at->data());
+      at_points(light.batches.data(), light.batches.size(), view.absorption_at->data());
   for (const Band& band : view.material->radiation->bands) {
     Field& relative = light.relative.emplace_back();
     if (band.relative.x.empty()) continue;
@@ -168,15 +158,15 @@ Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge
   const core::Mesh& mesh = *view.mesh;
   assert(view.light.surroundings.size() == mesh.boundaries().size());
   if (!kept || !same_laws(kept->radiation, *view.material->radiation))
-    kept = std::make_shared<KeptLight>(*view.material->radiation, light_order);
+    kept = std::make_shared<KeptLight>(*view.material->radiation);
   Light light{
-      body, light_order == 2 ? mesh.node_count() : mesh.vertex_count(), light_order, {}, {}, {}, {}, {}, {}, kept,
+      body, mesh.node_count(), {}, {}, {}, {}, {}, {}, kept,
       true};
   light.batches.resize(core::batch_count(mesh.cell_count()));
   for (std::size_t b = 0; b < light.batches.size(); ++b)
     core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);
   light.volumes = make_volumes(view, system.problem->geometry);
-  set_relative_absorption(light, view, system.problem->order);
+  set_relative_absorption(light, view);
   add_edges(light, system, first_boundary_edge);
   add_contacts(light, system);
   if (view.material->radiation->model == Radiation::Model::transfer) {

@@ -26,7 +26,7 @@ struct LightEdge {
   Index boundary;                           ///< of the glass
   bool black;                               ///< a black wall of the glass's own temperature; else open
   std::array<double, 3> area;               ///< at the points of edge_rule(3), m2
-  std::array<std::array<double, 3>, 3> temperature_shape, light_shape;  ///< [point][unknown]
+  EdgeShapes shape;                         ///< of the unknowns
 };
 
 /// Interface point through which light goes to a tool.
@@ -43,14 +43,13 @@ struct LightContact {
 struct KeptLight {
   Radiation radiation;
   LightLaws laws;
-  int order;
   std::vector<std::array<Index, 6>> cells;
   core::Assembly assembly;             ///< cliques: the cells, then the boundary edges
   std::vector<core::Cholesky> factor;  ///< by group
   KeptTraces<TracedRays> rays;         ///< of the model transfer
   bool varies = false;                 ///< whether the absorption depends on temperature
 
-  KeptLight(const Radiation& given, int its_order) : radiation(given), laws(given), order(its_order) {}
+  explicit KeptLight(const Radiation& given) : radiation(given), laws(given) {}
 };
 
 /// The light in a glass on the present meshes: that of each group of band and directions, its flux to the surroundings
@@ -60,7 +59,6 @@ struct KeptLight {
 struct Light {
   Index body;
   Index size;                            ///< unknowns of G
-  int order;                             ///< polynomial degree of G
   std::vector<BatchIndices<6>> batches;  ///< unknowns of G of the batches of cells
   Field volumes;                         ///< m3
   std::vector<LightEdge> edges;

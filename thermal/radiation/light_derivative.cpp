@@ -57,7 +57,7 @@ void linearise_surface(const Light& light, const HeatSystem& system, const Eigen
   for (const LightEdge& edge : light.edges) {
     auto& slope = result.opaque_edge.emplace_back();
     for (int q = 0; q < 3; ++q) {
-      const double T = at_point(temperature, edge.temperature, edge.temperature_shape[q].data());
+      const double T = at_point(temperature, edge.temperature, edge.shape[q].data());
       slope[q] = edge.black ? 0 : emissivity * edge.area[q] * laws.opaque_emission(T).derivative;
     }
   }
@@ -118,7 +118,7 @@ void apply_light(const Light& light, const HeatSystem& system, const LightDeriva
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
     const LightEdge& edge = light.edges[e];
     for (int q = 0; q < 3; ++q) {
-      const double* shape = edge.temperature_shape[q].data();
+      const double* shape = edge.shape[q].data();
       add_at_point(step * derivatives.opaque_edge[e][q] * at_point(change, edge.temperature, shape), edge.temperature,
                    shape, result);
     }
@@ -132,22 +132,21 @@ void apply_light(const Light& light, const HeatSystem& system, const LightDeriva
 namespace {
 
 /// Weighted mass matrix of the emission of each cell.
-template <int N>
 void add_cells(StepMatrix& matrix, const Light& light, const HeatSystem& system, const LightDerivatives& derivatives,
                double step) {
-  const auto& shapes = cell_shapes<N>().value;
+  const auto& shapes = cell_shapes<6>().value;
   const BodyLaws& body = system.bodies[light.body];
   for (Index c = body.first_cell; c < body.last_cell; ++c) {
     const Index batch = (c - body.first_cell) / batch_size, lane = (c - body.first_cell) % batch_size;
-    std::array<double, N * N> local{};
+    std::array<double, 36> local{};
     for (int q = 0; q < core::cell_points; ++q) {
       double slope = 0;
       for (const Field& group : derivatives.emission) slope += group[batch][q][static_cast<int>(lane)];
       slope *= step * not_absorbed_again;
-      for (int i = 0; i < N; ++i)
-        for (int j = 0; j <= i; ++j) local[i * N + j] += slope * shapes(q, i) * shapes(q, j);
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j) local[6 * i + j] += slope * shapes(q, i) * shapes(q, j);
     }
-    add_clique(matrix, system, c, N, system.cells[c].data(), local.data());
+    add_clique(matrix, system, c, 6, system.cells[c].data(), local.data());
   }
 }
 
@@ -156,7 +155,7 @@ void add_cells(StepMatrix& matrix, const Light& light, const HeatSystem& system,
 void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& system,
                     const Eigen::VectorXd& temperature, double step) {
   const LightDerivatives derivatives = linearise_light(light, system, temperature);
-  (system.problem->order == 2 ? add_cells<6> : add_cells<3>)(matrix, light, system, derivatives, step);
+  add_cells(matrix, light, system, derivatives, step);
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
     const LightEdge& edge = light.edges[e];
     std::array<double, 9> local{};
@@ -164,7 +163,7 @@ void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& sy
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j)
           local[i * 3 + j] +=
-              step * derivatives.opaque_edge[e][q] * edge.temperature_shape[q][i] * edge.temperature_shape[q][j];
+              step * derivatives.opaque_edge[e][q] * edge.shape[q][i] * edge.shape[q][j];
     add_clique(matrix, system, static_cast<Index>(system.cells.size()) + edge.boundary_edge, 3, edge.temperature.data(),
                local.data());
   }

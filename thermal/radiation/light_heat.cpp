@@ -32,7 +32,7 @@ double outside_of(const Light& light, const LightEdge& edge, int q, int group, c
                   const Eigen::VectorXd& temperature) {
   if (!edge.black) return surroundings[edge.boundary];
   return light.laws()
-      .irradiation(group, at_point(temperature, edge.temperature, edge.temperature_shape[q].data()))
+      .irradiation(group, at_point(temperature, edge.temperature, edge.shape[q].data()))
       .value;
 }
 
@@ -113,10 +113,10 @@ void add_opaque(const Light& light, const HeatSystem& system, const std::vector<
   for (const double T : surroundings) around.push_back(laws.opaque_emission(T).value);
   for (const LightEdge& edge : light.edges)
     for (int q = 0; q < 3 && !edge.black; ++q) {
-      const double T = at_point(temperature, edge.temperature, edge.temperature_shape[q].data());
+      const double T = at_point(temperature, edge.temperature, edge.shape[q].data());
       const double heat = emissivity * edge.area[q] * (laws.opaque_emission(T).value - around[edge.boundary]);
       flows.to_air[light.body] += heat;
-      if (power) add_at_point(-heat, edge.temperature, edge.temperature_shape[q].data(), *power);
+      if (power) add_at_point(-heat, edge.temperature, edge.shape[q].data(), *power);
     }
   for (const HeatSegment& segment : system.interface.segments)
     for (Index i = segment.first_point; i < segment.last_point; ++i) {
@@ -159,7 +159,7 @@ void multiply_by_absorption(const Light& light, int group, Field& values) {
 
 Field at_cell_points(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {
   return at_points(system.batches.data() + system.bodies[light.body].first_batch, light.batches.size(),
-                   system.problem->order, temperature.data());
+                   temperature.data());
 }
 
 namespace {
@@ -170,10 +170,10 @@ Eigen::VectorXd solve_p1(const Light& light, int group, const GroupSource& sourc
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(light.size);
   for (std::size_t e = 0; e < light.edges.size(); ++e)
     for (int q = 0; q < 3; ++q)
-      add_at_point(source.edges[e][q], light.edges[e].light, light.edges[e].light_shape[q].data(), rhs);
+      add_at_point(source.edges[e][q], light.edges[e].light, light.edges[e].shape[q].data(), rhs);
   for (std::size_t i = 0; i < light.contacts.size(); ++i)
     add_at_point(source.contacts[static_cast<Index>(i)], light.contacts[i].light, light.contacts[i].shape.data(), rhs);
-  add_from_points(light.batches.data(), source.cells, light.order, rhs.data());
+  add_from_points(light.batches.data(), source.cells, rhs.data());
   return light.kept->factor[group].solve(rhs);
 }
 
@@ -182,13 +182,13 @@ Eigen::VectorXd solve_p1(const Light& light, int group, const GroupSource& sourc
 GroupLight solve_group(const Light& light, int group, const GroupSource& source) {
   if (light.rays) return ray_light(light, group, source);
   const Eigen::VectorXd G = solve_p1(light, group, source);
-  GroupLight found{at_points(light.batches.data(), light.batches.size(), light.order, G.data()),
+  GroupLight found{at_points(light.batches.data(), light.batches.size(), G.data()),
                    {},
                    Eigen::ArrayXd(static_cast<Index>(light.contacts.size()))};
   multiply_by_absorption(light, group, found.absorbed);
   for (const LightEdge& edge : light.edges) {
     auto& at = found.edges.emplace_back();
-    for (int q = 0; q < 3; ++q) at[q] = at_point(G, edge.light, edge.light_shape[q].data());
+    for (int q = 0; q < 3; ++q) at[q] = at_point(G, edge.light, edge.shape[q].data());
   }
   for (std::size_t i = 0; i < light.contacts.size(); ++i)
     found.contacts[static_cast<Index>(i)] = at_point(G, light.contacts[i].light, light.contacts[i].shape.data());
@@ -200,7 +200,7 @@ void add_absorbed(const Light& light, const HeatSystem& system, const GroupSourc
   Field gained = found.absorbed;
   for (std::size_t g = 0; g < gained.size(); ++g)
     for (int q = 0; q < core::cell_points; ++q) gained[g][q] = factor * (gained[g][q] - source.cells[g][q]);
-  add_from_points(system.batches.data() + system.bodies[light.body].first_batch, gained, system.problem->order,
+  add_from_points(system.batches.data() + system.bodies[light.body].first_batch, gained,
                   power.data());
 }
 

@@ -35,14 +35,10 @@ Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisati
 
 namespace {
 
-Index cell_unknowns(const HeatSystem& system) {
-  return system.problem->order == 2 ? 6 : 3;
-}
-
 std::vector<Index> list_topology(const HeatSystem& system) {
   std::vector<Index> topology;
   for (const auto& cell : system.cells)
-    topology.insert(topology.end(), cell.begin(), cell.begin() + cell_unknowns(system));
+    topology.insert(topology.end(), cell.begin(), cell.end());
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
     for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary_edges())
       for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);
@@ -58,7 +54,7 @@ core::Cliques list_cliques(const HeatSystem& system, const EdgeChain& chain, con
     for (Index i = 0; i < count; ++i) ranks[i] = rank[unknowns[i]];
     cliques.add(ranks.data(), count);
   };
-  const Index per_cell = cell_unknowns(system);
+  constexpr Index per_cell = 6;
   const std::size_t in_cells = per_cell * system.cells.size();
   for (std::size_t k = 0; k < topology.size(); k += k < in_cells ? per_cell : 3)
     add(topology.data() + k, k < in_cells ? per_cell : 3);
@@ -181,9 +177,8 @@ std::vector<Index> elimination_order(const HeatSystem& system, const std::vector
   // Each unknown is grouped with a vertex: a vertex with itself, a mid-side node with the vertex it precedes.
   std::vector<Index> with(system.size(), count);
   for (Index v = 0; v < count; ++v) with[vertices.unknown[v]] = rank[v];
-  if (system.problem->order == 2)
-    for (const auto& cell : system.cells)
-      for (int i = 0; i < 3; ++i) with[cell[3 + i]] = std::min(with[cell[i]], with[cell[(i + 1) % 3]]);
+  for (const auto& cell : system.cells)
+    for (int i = 0; i < 3; ++i) with[cell[3 + i]] = std::min(with[cell[i]], with[cell[(i + 1) % 3]]);
   std::vector<Index> end(count + 1, 0), order(system.size());
   for (const Index w : with) ++end[w + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());

@@ -221,8 +221,6 @@ std::string accuracy_lines(const Scene& scene) {
   };
   for (const Setting& setting : settings())
     add(setting.key, scene.accuracy.*setting.value / setting.unit_size, setting.unit, is_length(setting));
-  add("temperature_order", scene.accuracy.temperature_order, "", false);
-  add("passes", scene.accuracy.passes, "", false);
   return text;
 }
 

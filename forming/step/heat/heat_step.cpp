@@ -30,8 +30,7 @@ using Meshes = std::vector<const core::Mesh*>;  ///< by body
 /// The heat problem of the present stage; its bodies are numbered as in the state, glass_body and body_of_tool.
 thermal::Problem make_problem(const Scene& scene, const State& state, const Meshes& meshes,
                               const std::vector<core::InterfacePoint>& interface, long& clamped_lookups) {
-  const int order = scene.stages[state.stage].cools ? 2 : scene.accuracy.temperature_order;
-  thermal::Problem problem{scene.geometry, {}, interface, {}, order};
+  thermal::Problem problem{scene.geometry, {}, interface, {}};
   problem.light_resolution.rays = scene.accuracy.light_rays;
   for (Index b = 0; b < static_cast<Index>(meshes.size()); ++b)
     problem.bodies.push_back(body_view(scene, state, b, *meshes[b]));

@@ -22,7 +22,7 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
 std::string idle_tools(const Scene& scene, State& state, double dt) {
   constexpr double newton_fraction = 1e-3;
   if (dt <= 0 || state.tools.empty()) return "";
-  thermal::Problem problem{scene.geometry, {}, {}, {}, scene.accuracy.temperature_order};
+  thermal::Problem problem{scene.geometry, {}, {}, {}};
   std::vector<Eigen::VectorXd> temperature;
   for (std::size_t t = 0; t < state.tools.size(); ++t) {
     problem.bodies.push_back(body_view(scene, state, body_of_tool(static_cast<Index>(t)), state.tools[t].mesh));

@@ -11,7 +11,7 @@ namespace parison::forming {
 SwabbedTool swabbed_tool(const Scene& scene, const State& state, Index tool) {
   const Swab& swab = *scene.tools[tool].swab;
   const core::Mesh& mesh = state.tools[tool].mesh;
-  thermal::Problem problem{scene.geometry, {}, {}, {}, scene.accuracy.temperature_order};
+  thermal::Problem problem{scene.geometry, {}, {}, {}};
   problem.bodies.push_back(body_view(scene, state, body_of_tool(tool), mesh));
   // A given flux is exchange with something so cold, and so weak, that the surface's own temperature does not count.
   constexpr double weak = 1e-6;

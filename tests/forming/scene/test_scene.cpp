@@ -181,13 +181,9 @@ TEST(Scene, a_stages_air_replaces_the_air_of_the_case) {
 }
 
 TEST(Scene, numerics_override_the_accuracy_level) {
-  const auto scene =
-      scene_of(small_scene + "[numerics]\nsurface_size = \"0.7 mm\"\npasses = 3\ntemperature_order = 1\n");
+  const auto scene = scene_of(small_scene + "[numerics]\nsurface_size = \"0.7 mm\"\n");
   const auto preset = accuracy_preset("draft");
   EXPECT_DOUBLE_EQ(scene.accuracy.surface_size, 0.7e-3);
-  EXPECT_EQ(scene.accuracy.passes, 3);
-  EXPECT_EQ(preset.temperature_order, 2);
-  EXPECT_EQ(scene.accuracy.temperature_order, 1);
   EXPECT_DOUBLE_EQ(scene.accuracy.skin_size, preset.skin_size);
 }
 

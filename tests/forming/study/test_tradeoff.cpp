@@ -48,7 +48,7 @@ TEST(Accuracy, the_study_of_the_jar_has_a_variant_for_each_part_of_its_model) {
   std::vector<Variant> study = standard_study(bundled("jar", "draft"), "fine");
   EXPECT_EQ(base_variant(study, "draft"), "draft");
   for (const char* name :
-       {"standard", "mesh_x2", "passes_2", "temperature_order_1", "no_radiation", "rosseland", "one_band",
+       {"standard", "mesh_x2", "no_radiation", "rosseland", "one_band",
         "no_enclosure", "fixed_tools", "no_tension", "no_air_cooling", "no_gravity", "all_slip", "all_stick"})
     EXPECT_EQ(std::count_if(study.begin(), study.end(), [&](const Variant& r) { return r.name == name; }), 1) << name;
   for (const Variant& one : study) EXPECT_NO_THROW(bundled("jar", one.accuracy, one.overrides)) << one.name;

@@ -84,9 +84,8 @@ struct Pair {
       if (std::find(boundaries.begin(), boundaries.end(), edge.boundary_id) != boundaries.end())
         for (const auto& rule : core::edge_rule(5)) {
           const auto at = core::map_edge_point(mesh[body], edge.nodes, geometry, rule);
-          const double heat = at.area * flux(at.position, at.normal), mid = problem.order == 1 ? 0.5 * at.shape[2] : 0;
-          for (int i = 0; i < 2; ++i) load[body][edge.nodes[i]] += (at.shape[i] + mid) * heat;
-          if (problem.order == 2) load[body][edge.nodes[2]] += at.shape[2] * heat;
+          const double heat = at.area * flux(at.position, at.normal);
+          for (int i = 0; i < 3; ++i) load[body][edge.nodes[i]] += at.shape[i] * heat;
         }
   }
   std::vector<Index> free_sides(Index body) const {

@@ -123,7 +123,7 @@ void for_each_point(const HeatSystem& system, What&& what) {
       if (!takes_part(problem.bodies[b], edge.boundary_id)) continue;
       const auto unknowns = edge_unknowns(system, static_cast<Index>(b), edge.nodes);
       for (int q = 0; q < 3; ++q)
-        what(static_cast<Index>(b), static_cast<Index>(e), unknowns, unknown_weights(edge_shapes()[q], problem.order),
+        what(static_cast<Index>(b), static_cast<Index>(e), unknowns, edge_shapes()[q],
              core::map_edge_point(mesh, edge.nodes, problem.geometry, core::edge_rule(3)[q]).area);
     }
   }
@@ -133,7 +133,7 @@ void for_each_point(const HeatSystem& system, What&& what) {
     const auto side = [&](Index body, const std::array<Index, 3>& nodes, const std::array<double, 3>& shape) {
       const Index edge = edge_of[body][nodes[2]];
       if (takes_part(problem.bodies[body], problem.bodies[body].mesh->boundary_edges()[edge].boundary_id))
-        what(body, edge, edge_unknowns(system, body, nodes), unknown_weights(shape, problem.order), area);
+        what(body, edge, edge_unknowns(system, body, nodes), shape, area);
     };
     side(point.slave_body, point.slave_nodes, point.slave_shape);
     side(point.master_body, point.master_nodes, point.master_shape);
