@@ -12,6 +12,7 @@
 #include "forming/step/balance/work.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 #include "forming/step/contact/edge_correction.hpp"
+#include "forming/step/contact/first_touch.hpp"
 #include "forming/step/cooling/cooling_step.hpp"
 #include "forming/step/flow/flow_step.hpp"
 #include "forming/step/flow/predictor.hpp"
@@ -88,7 +89,7 @@ bool pass_once(const StepStart& start, MidpointPredictor& predictor, Workspace& 
 MidpointPredictor first_prediction(const Scene& scene, const State& state, double dt) {
   if (!scene.has_flow()) return {};
   MidpointPredictor predictor{
-      predicted_velocity(state, 0.5 * dt), predicted_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
+      carried_velocity(scene, state, dt), predicted_temperature(scene, state, 0.5 * dt), state.moves_smoothly, {}};
   if (follows_density(scene))
     predictor.expansion = expansion_until(scene, state, predicted_temperature(scene, state, dt), dt);
   return predictor;

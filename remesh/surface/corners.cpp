@@ -116,8 +116,7 @@ Corners find_corners(const Mesh& old, const Criteria& criteria, const SizeField&
     const Point passed = exterior_point(old, {}, found);
     std::map<Index, FilledEdge> edges;
     const bool filled =
-        filling != CornerFilling::none && (add_filled(old, criteria, links, found, corner, target_size, edges) ||
-                                           (passed - corner).norm() < 0.1 * target_size);
+        filling != CornerFilling::none && add_filled(old, criteria, links, found, corner, target_size, edges);
     const Point at = filled || penetrates(old, criteria.project_out, found) ? corner : passed;
     const bool crowded = std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) {
       return (x - at).norm() < 0.3 * target_size && !(filled && x == passed);

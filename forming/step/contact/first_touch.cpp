@@ -170,13 +170,18 @@ class Approach {
 
 }  // namespace
 
+Eigen::VectorXd carried_velocity(const Scene& scene, const State& state, double dt) {
+  Eigen::VectorXd velocity = predicted_velocity(state, 0.5 * dt);
+  const double jump = speed_jump(scene, state, dt);
+  for (Index n = 0; jump != 0 && n < velocity.size() / core::dim; ++n)
+    velocity.segment<core::dim>(core::dim * n) += jump * core::axis_direction();
+  return velocity;
+}
+
 double time_to_first_touch(const Scene& scene, const State& state, double ahead) {
   double first = std::numeric_limits<double>::infinity();
   if (!scene.has_flow()) return first;
-  Eigen::VectorXd velocity = predicted_velocity(state, 0.5 * ahead);
-  const double jump = speed_jump(scene, state, ahead);
-  for (Index n = 0; jump != 0 && n < velocity.size() / core::dim; ++n)
-    velocity.segment<core::dim>(core::dim * n) += jump * core::axis_direction();
+  const Eigen::VectorXd velocity = carried_velocity(scene, state, ahead);
   for (const StageTool& tool : scene.stages[state.stage].tools)
     first = std::min(first, Approach(scene, state, tool, velocity, ahead).first_touch(ahead));
   return first;
