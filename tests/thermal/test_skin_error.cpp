@@ -68,7 +68,7 @@ TEST(SkinError, of_next_to_no_heat_is_next_to_nothing) {
   const double content = 2400 * 1300, depth = 5e-3, time = 0.5;
   for (const double conducts : {1e4, 1e6, 1e8})
     for (const double h : {1e-6, 1e-3, 1.0, 100.0}) {
-      const SkinSide glass{conducts, content, 1e-3, 0.5, 2, depth}, heavy{1e6, 7200e9, 2e-3, 0.5, 2, depth};
+      const SkinSide glass{conducts, content, 1e-3, 0.5, depth}, heavy{1e6, 7200e9, 2e-3, 0.5, depth};
       const double share = h * time / (content * depth);
       EXPECT_LT(std::abs(skin_error(glass, heavy, h, time)), 1e-6 + share) << conducts << ' ' << h;
       EXPECT_LT(std::abs(skin_error(glass, h, time)), 1e-6 + share) << conducts << ' ' << h;
@@ -106,7 +106,7 @@ TEST(SkinError, of_slabs_that_the_heat_crosses_is_not_less_than_that_of_the_prog
     for (const double holds : {0.03, 1.0})
       for (const double fourier : {0.001, 0.003, 0.01}) {
         const double time = fourier * thickness * thickness / diffusivity;
-        const SkinSide glass{conductivity, density * heat_capacity, 0.25 * thickness, 0, 2, thickness};
+        const SkinSide glass{conductivity, density * heat_capacity, 0.25 * thickness, 0, thickness};
         SkinSide other = glass;
         other.conductivity *= conducts;
         other.capacity *= holds;

@@ -14,7 +14,7 @@ namespace {
 constexpr double conductivity = 1.3, density = 2400, heat_capacity = 1300, start = 1300, air = 300, thickness = 8e-3;
 
 SkinSide layer(double cell) {
-  return {conductivity, density * heat_capacity, cell, 0, 2, thickness};
+  return {conductivity, density * heat_capacity, cell, 0, thickness};
 }
 
 SkinInterval steady(double time, double h, double temperature = air) {

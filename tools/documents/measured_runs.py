@@ -13,6 +13,8 @@ from documents.store import ROOT
 
 TOOLS = 404  # degC of the blank side
 GOBS, CONTACTS = (1100, 1150), (3.12, 4.72)  # degC, s
+# Where exponents are fitted: of two gobs alone, how each lies in the blank decides a tenth of the exponent.
+FITTED_GOBS = (1100, 1112, 1125, 1138, 1150)
 TIME, SETTLING, WHOLE = "exponent in the time of contact", "exponent in (gob - tool), end of the settling", "exponent in (gob - tool), with the counter-blow"
 
 
@@ -66,8 +68,11 @@ def conductance(out):
     return sorted({float(t): float(h) for t, h in zip(rows["time_s"], rows["h_W_m2K"])}.items())
 
 
-def exponent(low, high, ratio):
-    return math.log(high / low) / math.log(ratio)
+def exponent(along, values):
+    """Slope of a power law by least squares."""
+    x, y = [math.log(a) for a in along], [math.log(value) for value in values]
+    middle = sum(x) / len(x)
+    return sum((a - middle) * b for a, b in zip(x, y)) / sum((a - middle) ** 2 for a in x)
 
 
 def blank_losses(runs, *sets, contacts=CONTACTS):
@@ -82,19 +87,18 @@ def blank_losses(runs, *sets, contacts=CONTACTS):
                      "glass_mean_degC")
         return [gob - min(mean, key=lambda point: abs(point[0] - time))[1] for time in (contact - 1.6, contact)]
 
-    return {gob: [losses(gob, time) for time in contacts] for gob in GOBS}
+    return {gob: [losses(gob, time) for time in contacts] for gob in FITTED_GOBS}
 
 
 def loss_exponents(found):
-    """Of losses by `blank_losses`: in (gob - tool) the means over the contacts, and in the time, where there are two, over both gobs."""
-    colder, hotter = found.values()
-    ratio = (GOBS[1] - TOOLS) / (GOBS[0] - TOOLS)
-    exponents = {name: sum(exponent(cold[end], hot[end], ratio) for cold, hot in zip(colder, hotter)) / len(colder)
+    """Of losses by `blank_losses`: in (gob - tool) the means over the contacts, and in the time, where there are two, over the gobs."""
+    above = [gob - TOOLS for gob in found]
+    contacts = len(next(iter(found.values())))
+    exponents = {name: sum(exponent(above, [losses[i][end] for losses in found.values()]) for i in range(contacts)) / contacts
                  for end, name in enumerate((SETTLING, WHOLE))}
-    if len(colder) == 1:
+    if contacts == 1:
         return exponents
-    in_time = sum(exponent(first[1], last[1], CONTACTS[1] / CONTACTS[0]) for first, last in found.values()) / len(found)
-    return {TIME: in_time, **exponents}
+    return {TIME: sum(exponent(CONTACTS, [loss for _, loss in losses]) for losses in found.values()) / len(found), **exponents}
 
 
 def blank_heat(out):

@@ -7,7 +7,9 @@
 
 #include "../scene_text.hpp"
 #include "forming/run/run.hpp"
+#include "forming/state/initial_state.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
+#include "forming/step/step.hpp"
 
 namespace parison::forming {
 namespace {
@@ -83,6 +85,43 @@ TEST(Axis, nodes_on_it_stay_there_to_the_bit_before_a_slender_plunger) {
       for (const Index node : edge.nodes) pole = std::min(pole, mesh.nodes[node][1]);
   EXPECT_NEAR(pole, 30e-3, 5e-6) << "on the plunger's tip";
   EXPECT_LT(outcome.facts.diagnostics.in_tools.node.depth, 5e-6);
+}
+
+/// A plate that nothing loads on a base that rises from rest.
+const std::string carried_plate = R"(case = "carried"
+geometry = "planar"
+material.liquid = { density = "2400 kg/m3", viscosity = { law = "constant", value = "1e5 Pa.s" } }
+[[stage]]
+name = "rise"
+duration = "5 ms"
+tools = ["base"]
+motion.base = { offset = [["0 s", "0 mm"], ["5 ms", "5 mm"]] }
+[glass]
+material = "liquid"
+boundary = [
+  { name = "surface", condition = "contact", path = "(0, 0) (11, 0) (11, 20) (0, 20) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, 0) mm" },
+]
+[[tool]]
+name = "base"
+friction = "slip"
+boundary = [
+  { name = "top", condition = "contact", path = "(33, 0) (0, 0) mm" },
+  { name = "rest", condition = "insulated", path = "(0, -6) (33, -6) (33, 0) mm" },
+]
+)";
+
+TEST(Carried, glass_goes_with_the_base_that_starts_to_rise_below_it) {
+  for (const char* accuracy : {"draft", "standard", "fine"}) {
+    const Scene scene = scene_of(carried_plate, accuracy);
+    const State start = initial_state(scene);
+    Workspace workspace;
+    const StepResult step = coupled_step(scene, start, 1e-3, workspace);
+    ASSERT_TRUE(step.converged) << step.reason;
+    double lowest = 1;
+    for (const core::Point& x : step.state.glass.mesh.nodes) lowest = std::min(lowest, x[1]);
+    EXPECT_NEAR(lowest, 1e-3, 1e-9) << accuracy;
+  }
 }
 
 /// A capped tube with a fixed rim, blown into a mould.

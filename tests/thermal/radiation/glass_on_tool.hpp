@@ -35,13 +35,13 @@ struct GlassOnTool {
   Problem problem;
   std::vector<Eigen::VectorXd> start;
 
-  GlassOnTool(Geometry geometry, int order, std::vector<Band> bands, double surroundings = 320, double opaque = 0.9,
+  GlassOnTool(Geometry geometry, std::vector<Band> bands, double surroundings = 320, double opaque = 0.9,
               Model model = Model::p1_cones)
       : glass(glass_with(std::move(bands), 1.518, 1.3, model)) {
     std::vector<double> below = divide(0, -0.01, 5, 1.3);
     std::reverse(below.begin(), below.end());
     lower = rectangle(divide(0, 0.02, 5), below);
-    problem = {geometry, {open_body(upper, glass, surroundings, opaque), body(lower, iron)}, {}, {}, order};
+    problem = {geometry, {open_body(upper, glass, surroundings, opaque), body(lower, iron)}, {}, {}};
     problem.bodies[0].light.surroundings[left].reset();
     problem.bodies[0].exchange = {SurfaceExchange{40, 320, 0, 320}, {}, SurfaceExchange{40, 320, 0, 320}, {}};
     problem.bodies[1].exchange[top] = SurfaceExchange{40, 320, 0.8, 320};

@@ -72,7 +72,7 @@ struct StepDerivative {
 /// A step of ten seconds in one substep; records as `what` how far its balance is open.
 inline StepOutcome step_of_ten_seconds(Model model, const std::string& what) {
   tests::Figure open(what);
-  const GlassOnTool pair(Geometry::axisymmetric, 2, {{2.75e-6, 400}, {4.3e-6, 700}}, 320, 0.9, model);
+  const GlassOnTool pair(Geometry::axisymmetric, {{2.75e-6, 400}, {4.3e-6, 700}}, 320, 0.9, model);
   StepMatrix matrix;
   StepOptions options;
   options.tolerance = 1e9;
@@ -88,7 +88,7 @@ inline StepOutcome step_of_ten_seconds(Model model, const std::string& what) {
 
 /// Order in time, from 16 and 32 substeps of half a second against `finest` ones.
 inline double order_in_time(Model model, int finest) {
-  const GlassOnTool pair(Geometry::axisymmetric, 2, flint, 320, 0.9, model);
+  const GlassOnTool pair(Geometry::axisymmetric, flint, 320, 0.9, model);
   std::vector<Eigen::VectorXd> found;
   for (const int substeps : {16, 32, finest}) {
     StepMatrix matrix;
