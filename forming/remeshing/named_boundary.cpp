@@ -9,6 +9,7 @@
 
 #include "contact/unilateral/tool_gap.hpp"
 #include "core/mesh/tolerances.hpp"
+#include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
 namespace {
@@ -76,6 +77,54 @@ std::vector<std::size_t> touched_edges(const Scene& scene, const State& state, I
   return best;
 }
 
+/// Gaps to tools up to this, m, let no air through, as `seal_gap` does by default.
+constexpr double sealed_gap = 0.1e-3;
+
+/// By boundary edge whether air reaches it: it may touch and does not lie, within the sealed gap, on a tool other than
+/// the one that made the inner side.
+std::vector<bool> open_edges(const Scene& scene, const State& state, Index maker) {
+  const core::Mesh& mesh = state.glass.mesh;
+  std::vector<bool> sealed(mesh.nodes.size(), false);
+  for (const StageTool& placed : scene.stages[state.stage].tools) {
+    if (placed.tool == maker) continue;
+    const Eigen::VectorXd gaps = tool_gaps(scene, state, placed.tool, 2 * sealed_gap);
+    for (Index n = 0; n < mesh.node_count(); ++n)
+      if (gaps[n] <= sealed_gap || state.glass.contact_tool[n] == placed.tool) sealed[n] = true;
+  }
+  std::vector<bool> open;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+    open.push_back(mesh.kind_of(edge) == BoundaryKind::contact && !(sealed[edge.nodes[0]] && sealed[edge.nodes[1]]));
+  return open;
+}
+
+/// Edges in their order, with those beside them that the air in the cavity reaches, up to where other tools seal it;
+/// not on a side on which the surface ends before.
+std::vector<std::size_t> with_open_ends(const Scene& scene, const State& state, Index maker,
+                                        std::vector<std::size_t> edges) {
+  const auto& all = state.glass.mesh.boundary_edges();
+  const std::vector<bool> open = open_edges(scene, state, maker);
+  const auto beside = [&](std::size_t e, bool ahead) { return (e + (ahead ? 1 : all.size() - 1)) % all.size(); };
+  const auto joined = [&](std::size_t a, std::size_t b) { return all[a].nodes[1] == all[b].nodes[0]; };
+  for (const bool ahead : {false, true}) {
+    std::vector<std::size_t> more;
+    std::size_t last = ahead ? edges.back() : edges.front(), next = beside(last, ahead);
+    while (open[next] && more.size() < all.size() && (ahead ? joined(last, next) : joined(next, last))) {
+      more.push_back(next);
+      last = next, next = beside(next, ahead);
+    }
+    const bool seals = state.glass.mesh.kind_of(all[next]) == BoundaryKind::contact && !open[next];
+    if (seals) edges.insert(ahead ? edges.end() : edges.begin(), more.begin(), more.end());
+    if (seals && !ahead) std::reverse(edges.begin(), edges.begin() + std::ptrdiff_t(more.size()));
+  }
+  return edges;
+}
+
+/// The edges that a tool touched; of the inner side also those that the air in the cavity reaches beside them.
+std::vector<std::size_t> edges_of(const Scene& scene, const State& state, const NamedBoundary& named) {
+  const std::vector<std::size_t> touched = touched_edges(scene, state, *named.touched);
+  return named.name != inner_side || touched.empty() ? touched : with_open_ends(scene, state, *named.touched, touched);
+}
+
 void name_between(const NamedBoundary& named, Index boundary_id, core::Mesh& mesh) {
   const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
   const std::size_t last = nearest_edge(mesh, may_touch, named.to, 1).edge;
@@ -95,8 +144,7 @@ void name_boundary(const Scene& scene, const State& state, const NamedBoundary& 
     mesh.edit().boundaries.push_back(named.name);
   }
   if (!named.touched) return name_between(named, boundary_id, mesh);
-  for (const std::size_t e : touched_edges(scene, state, *named.touched))
-    mesh.edit().boundary_edges[e].boundary_id = boundary_id;
+  for (const std::size_t e : edges_of(scene, state, named)) mesh.edit().boundary_edges[e].boundary_id = boundary_id;
 }
 
 std::string misplaced_boundary(const Scene& scene, const State& state, Index stage) {

@@ -101,9 +101,9 @@ bool has_worn_edges(const Scene& scene, const State& state) {
   });
 }
 
-/// Whether the edges on a tenth of the surface are twice as long as the viscosity wants them that has come to vary below
-/// them, and longer than a new mesh would have them. Those on a tool do not count: the skin of the contact has its own
-/// size.
+/// Whether the edges on a tenth of the surface are twice as long as the viscosity wants them that has come to vary
+/// below them, and longer than a new mesh would have them. Those on a tool do not count: the skin of the contact has
+/// its own size.
 bool has_coarse_skin(const Scene& scene, const State& state) {
   constexpr double max_share = 0.1;
   if (!scene.has_flow() || !scene.has_heat()) return false;

@@ -102,8 +102,7 @@ void carry_temperature(const Scene& scene, const State& state, const remesh::Tra
   const Eigen::VectorXd& temperature = state.glass.temperature;
   Eigen::VectorXd& carried = next.glass.temperature;
   if (!scene.has_heat()) {
-    if (temperature.size() > 0)
-      carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature);
+    if (temperature.size() > 0) carried = remesh::transfer_conserving(old, mesh, scene.geometry, transfer, temperature);
     return;
   }
   const auto heat = [&](const Eigen::VectorXd& field) {

@@ -149,8 +149,7 @@ Eigen::VectorXd SurfaceTransfer::interpolate(const Eigen::VectorXd& field) const
 
 double SurfaceTransfer::integral(const Eigen::VectorXd& field) const {
   double sum = 0;
-  for (const Sample& sample : samples_)
-    sum += sample.area * value_at(edges_[sample.edge], sample.shape, field);
+  for (const Sample& sample : samples_) sum += sample.area * value_at(edges_[sample.edge], sample.shape, field);
   return sum;
 }
 

@@ -14,9 +14,10 @@ class SurfaceTransfer {
  public:
   SurfaceTransfer(const core::Mesh& old, const core::Mesh& mesh, core::Geometry geometry);
 
-  /// A nodal field of the old mesh on the new one by L2 projection, with its integral, within the range of the nodes along each edge, as far as the bounds allow: what a tool takes up
-  /// is an integral over the surface. By interpolation the heat to tools changed by up to half a per cent where
-  /// pressure or temperature vary within an edge.
+  /// A nodal field of the old mesh on the new one by L2 projection, with its integral, within the range of the nodes
+  /// along each edge, as far as the bounds allow: what a tool takes up is an integral over the surface. By
+  /// interpolation the heat to tools changed by up to half a per cent where pressure or temperature vary within an
+  /// edge.
   Eigen::VectorXd project(const Eigen::VectorXd& field) const;
   /// A quadratic field at the nearest point of the old surface: for one whose smallest values count most.
   Eigen::VectorXd interpolate(const Eigen::VectorXd& field) const;

@@ -21,7 +21,7 @@ remesh::ProfileSizes first_sizes(const Scene& scene, Index index, double size, d
   sizes.growth = body.mesh.growth.value_or(growth);
   sizes.fine_boundaries = contact_boundaries(body);
   double edge = contact_edge(scene, index, contact_size);
-  const Index last_stage = static_cast<Index>(scene.stages.size()) - 1;
+  const Index last_stage = last_meshed_stage(scene);
   for (std::size_t b = 0; b < body.boundaries.size(); ++b) {
     const double wanted = sizes.fine_boundaries[b] ? contact_size : sizes.size;
     const double needed = surroundings_edge(scene, index, b, wanted, last_stage);

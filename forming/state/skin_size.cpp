@@ -113,11 +113,17 @@ double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, d
                                               surroundings_history(scene, body, boundary, durations), skin_tolerance));
 }
 
+Index last_meshed_stage(const Scene& scene) {
+  auto last = static_cast<Index>(scene.stages.size()) - 1;
+  while (last > 0 && scene.stages[last].cools) --last;
+  return scene.stages[last].cools ? static_cast<Index>(scene.stages.size()) - 1 : last;
+}
+
 double contact_edge(const Scene& scene, Index body, double wanted) {
   const Body& data = body_of(scene, body);
   if (!data.thermal) return wanted;
   double edge = wanted;
-  const Index last_stage = static_cast<Index>(scene.stages.size()) - 1;
+  const Index last_stage = last_meshed_stage(scene);
   for (const Interface& interface : scene.interfaces)
     if (body == glass_body || body == body_of_tool(interface.tool))
       edge = edge_at_contact(scene, interface, body, edge, last_stage);

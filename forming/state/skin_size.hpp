@@ -16,8 +16,12 @@ double perfect_contact(const Scene& scene, const Interface& interface);
 /// it up to the end of `last_stage` is free of the error of a skin thinner than its first cells.
 double surroundings_edge(const Scene& scene, Index body, std::size_t boundary, double wanted, Index last_stage);
 
-/// Edge on the contact boundaries of a body, m, at most `wanted`, with which the heat that it exchanges in the whole
-/// run is free of the error of a skin thinner than its first cells.
+/// The stage up to which the first meshes are to resolve skins: the last that forms, or of all where none does. The end
+/// of cooling takes half an hour and changes nothing before it.
+Index last_meshed_stage(const Scene& scene);
+
+/// Edge on the contact boundaries of a body, m, at most `wanted`, with which the heat that it exchanges until then is
+/// free of the error of a skin thinner than its first cells.
 double contact_edge(const Scene& scene, Index body, double wanted);
 
 /// The same of the glass where it touches one tool, for the heat exchanged up to the end of `last_stage`: what a later

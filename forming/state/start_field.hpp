@@ -29,8 +29,8 @@ inline constexpr double start_field_tolerance = 0.03;
 /// a factor of two from the present one.
 std::vector<double> fitting_sizes(const core::Mesh& mesh, const FieldMisfit& misfit);
 
-/// The function on a mesh, K: its values at the nodes where these fit it; else its L2 projection within its range, with its content of heat, of which `heat` is what a kilogram holds at a temperature,
-/// J/kg.
+/// The function on a mesh, K: its values at the nodes where these fit it; else its L2 projection within its range, with
+/// its content of heat, of which `heat` is what a kilogram holds at a temperature, J/kg.
 Eigen::VectorXd fitted_field(const core::Mesh& mesh, core::Geometry geometry, const PlacedTemperature& function,
                              const std::function<double(double)>& heat);
 

@@ -28,8 +28,8 @@ Eigen::VectorXd handed_over(const Scene& scene, const Body& body, const core::Me
     const thermal::BodyView view{&of, &of, body.thermal->density, &*body.thermal, {}, {}};
     return thermal::heat_content(view, scene.geometry, temperature) / core::volume(of, scene.geometry);
   };
-  const auto carried = remesh::project(field.mesh, mesh, scene.geometry, remesh::make_transfer(field.mesh, mesh),
-                                       field.temperature);
+  const auto carried =
+      remesh::project(field.mesh, mesh, scene.geometry, remesh::make_transfer(field.mesh, mesh), field.temperature);
   return remesh::restore_content(
       carried, [&](const Eigen::VectorXd& temperature) { return mean_heat(mesh, temperature); },
       mean_heat(field.mesh, field.temperature));

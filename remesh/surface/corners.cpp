@@ -35,16 +35,22 @@ std::optional<Place> nearest_kink(const Mesh& old, const std::vector<Link>& link
   return nearest;
 }
 
+/// Whether the surface from one place to another would turn outwards in a corner of the tools.
+bool is_reentrant(const Point& from, const Point& corner, const Point& to) {
+  constexpr double least_turn = 0.34;  // sine of the angle of a corner
+  const Point in = corner - from, out = to - corner;
+  return in[0] * out[1] - in[1] * out[0] > least_turn * in.norm() * out.norm();
+}
+
 /// Whether an old edge fills a re-entrant corner of the tools as far as it can: its ends touch a tool on both sides of
 /// the corner, and it comes as near to the corner as the parabola that is tangent to both walls at its ends.
 bool fills_corner(const Mesh& old, const Criteria& criteria, Index edge, const Point& corner) {
-  constexpr double least_turn = 0.34;  // sine of the angle of a corner
   constexpr double as_near = 1.05;
   constexpr int samples = 16;
   const auto& nodes = old.boundary_edges()[edge].nodes;
   if (criteria.contact.empty() || !criteria.contact[nodes[0]] || !criteria.contact[nodes[1]]) return false;
+  if (!is_reentrant(old.nodes[nodes[0]], corner, old.nodes[nodes[1]])) return false;
   const Point to = corner - old.nodes[nodes[0]], from = old.nodes[nodes[1]] - corner;
-  if (!(to[0] * from[1] - to[1] * from[0] > least_turn * to.norm() * from.norm())) return false;
   double nearest = std::numeric_limits<double>::infinity();
   for (int k = 1; k < samples; ++k) {
     const double s = double(k) / samples;
@@ -73,6 +79,16 @@ std::optional<Place> place_beside(const Mesh& old, const Criteria& criteria, con
       best = gap, found = here;
   }
   return found;
+}
+
+/// Whether a corner is missed by so little that it belongs to the surface; not a re-entrant one, into which glass has
+/// to flow first.
+bool belongs_to_surface(const Mesh& old, const std::vector<Link>& links, const Place& place, const Point& corner,
+                        double target_size) {
+  const auto& edges = old.boundary_edges();
+  const Index before = place.s > 0 ? place.edge : links[place.edge].previous;
+  return (exterior_point(old, {}, place) - corner).norm() < 0.1 * target_size &&
+         !is_reentrant(old.nodes[edges[before].nodes[0]], corner, old.nodes[edges[place.edge].nodes[1]]);
 }
 
 /// Adds the edges beside a place if they fill a tool corner: between two contacts where less than half the edge length
@@ -116,7 +132,8 @@ Corners find_corners(const Mesh& old, const Criteria& criteria, const SizeField&
     const Point passed = exterior_point(old, {}, found);
     std::map<Index, FilledEdge> edges;
     const bool filled =
-        filling != CornerFilling::none && add_filled(old, criteria, links, found, corner, target_size, edges);
+        filling != CornerFilling::none && (add_filled(old, criteria, links, found, corner, target_size, edges) ||
+                                           belongs_to_surface(old, links, found, corner, target_size));
     const Point at = filled || penetrates(old, criteria.project_out, found) ? corner : passed;
     const bool crowded = std::any_of(fixed.begin(), fixed.end(), [&](const Point& x) {
       return (x - at).norm() < 0.3 * target_size && !(filled && x == passed);

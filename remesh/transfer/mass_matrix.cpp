@@ -35,8 +35,7 @@ MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry)
   }
 }
 
-MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry,
-                       const std::vector<core::BoundaryEdge>& edges)
+MassMatrix::MassMatrix(const core::Mesh& mesh, core::Geometry geometry, const std::vector<core::BoundaryEdge>& edges)
     : functions_(3), diagonal_(Eigen::VectorXd::Zero(mesh.node_count())) {
   constexpr int points = 4;  // exact to degree 7: two quadratics, the radius and half of a curved edge's length
   elements_.reserve(edges.size());

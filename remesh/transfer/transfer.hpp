@@ -25,12 +25,11 @@ struct Carried {
   double lowest, highest;     ///< old nodal extremes
 };
 
-/// L2 projection of the old field onto the quadratic functions of the new mesh. Each value is limited to the range of the old cell it lies in, widened by half of that range on both sides. At the nodes
-/// of the new mesh in `is_given`, empty for none, the value is that of `given` and no other; the rest is projected
-/// beside them.
+/// L2 projection of the old field onto the quadratic functions of the new mesh. Each value is limited to the range of
+/// the old cell it lies in, widened by half of that range on both sides. At the nodes of the new mesh in `is_given`,
+/// empty for none, the value is that of `given` and no other; the rest is projected beside them.
 Carried project(const core::Mesh& from, const core::Mesh& to, core::Geometry geometry, const Transfer& transfer,
-                const Eigen::VectorXd& nodal, std::vector<bool> is_given = {},
-                const Eigen::VectorXd& given = {});
+                const Eigen::VectorXd& nodal, std::vector<bool> is_given = {}, const Eigen::VectorXd& given = {});
 
 /// The conserved quantity of a field as a function of its nodal values.
 using Content = std::function<double(const Eigen::VectorXd&)>;

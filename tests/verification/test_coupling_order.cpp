@@ -60,7 +60,6 @@ End after_equal_steps(Scene& scene, int steps) {
 
 TEST(Coupling, of_flow_and_heat_is_of_second_order_in_one_coupling_iteration) {
   Scene scene = scene_of(pressed_disc, "standard");
-  scene.accuracy.passes = 1;
   constexpr int levels = 6;
   std::array<End, levels> end;
   for (int i = 0; i < levels; ++i) {

@@ -197,7 +197,6 @@ End after_equal_steps(Scene& scene, int steps) {
 
 TEST(GapContact, is_of_second_order_in_time_where_pressure_and_softness_close_the_gap) {
   Scene scene = scene_of(pressed_disc, "standard");
-  scene.accuracy.passes = 1;
   scene.accuracy.temperature_tolerance = 1e-5;
   scene.accuracy.motion_tolerance = 1;
   scene.accuracy.temperature_per_step = 1e3;

@@ -37,7 +37,7 @@ template <typename Work>
 }  // namespace
 
 [[gnu::target_clones("avx2", "default")]] void add_cells(const HeatSystem& system, const Eigen::VectorXd& temperature,
-                                                const Eigen::VectorXd* rate, Response& response) {
+                                                         const Eigen::VectorXd* rate, Response& response) {
   const CellShapes<6>& shapes = cell_shapes<6>();
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
     const BatchIndices<6>& unknowns = system.batches[g];
@@ -71,8 +71,9 @@ template <typename Work>
   for_each_batch(system, work);
 }
 
-[[gnu::target_clones("avx2", "default")]] void linearise_cells(const HeatSystem& system, const Eigen::VectorXd& temperature,
-                                                      std::vector<BatchDerivatives>& batches) {
+[[gnu::target_clones("avx2", "default")]] void linearise_cells(const HeatSystem& system,
+                                                               const Eigen::VectorXd& temperature,
+                                                               std::vector<BatchDerivatives>& batches) {
   batches.resize(system.batches.size());
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {
     UnknownValues<6> own{};
@@ -95,8 +96,8 @@ template <typename Work>
 }
 
 [[gnu::target_clones("avx2", "default")]] void apply_cells(const HeatSystem& system,
-                                                  const std::vector<BatchDerivatives>& batches, double step,
-                                                  const Eigen::VectorXd& change, Eigen::VectorXd& result) {
+                                                           const std::vector<BatchDerivatives>& batches, double step,
+                                                           const Eigen::VectorXd& change, Eigen::VectorXd& result) {
   const CellShapes<6>& shapes = cell_shapes<6>();
   const auto work = [&](const BodyLaws&, const CellBatch& cells, Index g) __attribute__((always_inline)) {
     UnknownValues<6> own{}, sum{};
@@ -120,7 +121,7 @@ template <typename Work>
 }
 
 [[gnu::target_clones("avx2", "default")]] void assemble_cells(StepMatrix& matrix, const HeatSystem& system,
-                                                     const Eigen::VectorXd& temperature, double step) {
+                                                              const Eigen::VectorXd& temperature, double step) {
   const auto& shapes = cell_shapes<6>();
   const auto &value = shapes.value, &derivative_a = shapes.derivative_a, &derivative_b = shapes.derivative_b;
   const auto work = [&](const BodyLaws& laws, const CellBatch& cells, Index g) __attribute__((always_inline)) {

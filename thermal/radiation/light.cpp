@@ -26,8 +26,7 @@ bool same_laws(const Radiation& a, const Radiation& b) {
 void analyse(KeptLight& kept, const core::Mesh& mesh, Index size) {
   core::Cliques cliques;
   for (const auto& nodes : mesh.cells()) cliques.add(nodes.data(), 6);
-  for (const core::BoundaryEdge& edge : mesh.boundary_edges())
-    cliques.add(edge.nodes.data(), 3);
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) cliques.add(edge.nodes.data(), 3);
   kept.assembly = core::make_assembly(size, cliques);
   kept.cells = mesh.cells();
   kept.factor.clear();
@@ -127,8 +126,8 @@ void factorise(Light& light, const HeatSystem& system, Index first_boundary_edge
     core::SymmetricMatrix& matrix = kept.assembly.matrix;
     std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
     const LightGroup& group = kept.laws.group(k);
-    assemble_group(cells, light.volumes, light.relative_of(k), mesh_of(light, system).cell_count(),
-                   group.diffusion, group.absorption, kept.assembly);
+    assemble_group(cells, light.volumes, light.relative_of(k), mesh_of(light, system).cell_count(), group.diffusion,
+                   group.absorption, kept.assembly);
     assemble_surface(light, k, system, first_boundary_edge, matrix);
     light.solvable = kept.factor[k].factorise(matrix) && light.solvable;
   }
@@ -139,8 +138,7 @@ void set_relative_absorption(Light& light, const BodyView& view) {
   light.kept->varies = absorption_varies(*view.material);
   if (!light.kept->varies) return;
   assert(view.absorption_at);
-  const Field temperature =
-      at_points(light.batches.data(), light.batches.size(), view.absorption_at->data());
+  const Field temperature = at_points(light.batches.data(), light.batches.size(), view.absorption_at->data());
   for (const Band& band : view.material->radiation->bands) {
     Field& relative = light.relative.emplace_back();
     if (band.relative.x.empty()) continue;
@@ -159,9 +157,7 @@ Light make_light(const HeatSystem& system, Index body, Index first_boundary_edge
   assert(view.light.surroundings.size() == mesh.boundaries().size());
   if (!kept || !same_laws(kept->radiation, *view.material->radiation))
     kept = std::make_shared<KeptLight>(*view.material->radiation);
-  Light light{
-      body, mesh.node_count(), {}, {}, {}, {}, {}, {}, kept,
-      true};
+  Light light{body, mesh.node_count(), {}, {}, {}, {}, {}, {}, kept, true};
   light.batches.resize(core::batch_count(mesh.cell_count()));
   for (std::size_t b = 0; b < light.batches.size(); ++b)
     core::set_nodes(mesh.cells(), static_cast<Index>(b), light.batches[b]);

@@ -162,8 +162,7 @@ void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& sy
     for (int q = 0; q < 3; ++q)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j)
-          local[i * 3 + j] +=
-              step * derivatives.opaque_edge[e][q] * edge.shape[q][i] * edge.shape[q][j];
+          local[i * 3 + j] += step * derivatives.opaque_edge[e][q] * edge.shape[q][i] * edge.shape[q][j];
     add_clique(matrix, system, static_cast<Index>(system.cells.size()) + edge.boundary_edge, 3, edge.temperature.data(),
                local.data());
   }

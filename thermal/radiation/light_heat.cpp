@@ -31,9 +31,7 @@ std::vector<double> surroundings_at(const Light& light, const HeatSystem& system
 double outside_of(const Light& light, const LightEdge& edge, int q, int group, const std::vector<double>& surroundings,
                   const Eigen::VectorXd& temperature) {
   if (!edge.black) return surroundings[edge.boundary];
-  return light.laws()
-      .irradiation(group, at_point(temperature, edge.temperature, edge.shape[q].data()))
-      .value;
+  return light.laws().irradiation(group, at_point(temperature, edge.temperature, edge.shape[q].data())).value;
 }
 
 Field emission_at(const Light& light, int group, const Field& temperature) {
@@ -200,8 +198,7 @@ void add_absorbed(const Light& light, const HeatSystem& system, const GroupSourc
   Field gained = found.absorbed;
   for (std::size_t g = 0; g < gained.size(); ++g)
     for (int q = 0; q < core::cell_points; ++q) gained[g][q] = factor * (gained[g][q] - source.cells[g][q]);
-  add_from_points(system.batches.data() + system.bodies[light.body].first_batch, gained,
-                  power.data());
+  add_from_points(system.batches.data() + system.bodies[light.body].first_batch, gained, power.data());
 }
 
 void add_light(const Light& light, const HeatSystem& system, double time, const Eigen::VectorXd& temperature,

@@ -37,8 +37,7 @@ namespace {
 
 std::vector<Index> list_topology(const HeatSystem& system) {
   std::vector<Index> topology;
-  for (const auto& cell : system.cells)
-    topology.insert(topology.end(), cell.begin(), cell.end());
+  for (const auto& cell : system.cells) topology.insert(topology.end(), cell.begin(), cell.end());
   for (std::size_t b = 0; b < system.problem->bodies.size(); ++b)
     for (const core::BoundaryEdge& edge : system.problem->bodies[b].mesh->boundary_edges())
       for (const Index unknown : edge_unknowns(system, static_cast<Index>(b), edge.nodes)) topology.push_back(unknown);

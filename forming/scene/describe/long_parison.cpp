@@ -108,6 +108,7 @@ std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPl
     const Tool& mould = scene.tools[static_cast<std::size_t>(t)];
     const Index first = first_use(scene, t);
     if (first >= static_cast<Index>(scene.stages.size()) || first <= plan.parison->stage || uses(formed, t)) continue;
+    if (scene.stages[static_cast<std::size_t>(first)].cools) continue;  // it carries the container
     if (const auto [depth, at] = depth_in(mould, surface); depth > told_from(scene))
       notes.push_back(fmt::format(
           "the parison as stage \"{}\" {} it is too large for \"{}\" of stage \"{}\": it would reach {:.3g} mm "

@@ -42,16 +42,25 @@ void add_gob_temperature(const Scene& scene, std::vector<std::string>& notes) {
       is_swapped ? fmt::format("; was \"{:.4g} degC\" meant?", kelvin) : ""));
 }
 
+/// Whether a tool forms the glass, and does not only carry it while it cools.
+bool forms(const Scene& scene, std::size_t tool) {
+  return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
+    return !stage.cools && std::any_of(stage.tools.begin(), stage.tools.end(),
+                                       [&](const StageTool& one) { return one.tool == static_cast<Index>(tool); });
+  });
+}
+
 /// Of tools around a gob what is unusual; of any others what no tool can have.
 void add_tool_temperatures(const Scene& scene, bool is_around_gob, std::vector<std::string>& notes) {
   constexpr double coldest = 350, hottest = 600, iron_melts = 1150;  // degC; the eutectic of iron and graphite
   for (const Tool& tool : scene.tools) {
     const double celsius = tool.initial_temperature - core::zero_celsius;
-    const bool is_usual = is_around_gob ? celsius >= coldest && celsius <= hottest : celsius < iron_melts;
+    const bool is_around = is_around_gob && forms(scene, static_cast<std::size_t>(&tool - scene.tools.data()));
+    const bool is_usual = is_around ? celsius >= coldest && celsius <= hottest : celsius < iron_melts;
     if (!tool.thermal || tool.start_field || is_usual) continue;
     std::string note = fmt::format("\"{}\" starts at {:.4g} degC", tool.name, celsius);
     if (celsius >= iron_melts) note += fmt::format(", but grey iron melts at {:g} degC and bronze below", iron_melts);
-    if (is_around_gob)
+    if (is_around)
       note +=
           "; usual are 400 to 530 degC of moulds and blanks, 450 to 600 degC of rings and plungers, and 375 degC "
           "where cooling is strong";
@@ -82,12 +91,34 @@ void add_pressures(const Scene& scene, std::vector<std::string>& notes) {
 void add_durations(const Scene& scene, std::vector<std::string>& notes) {
   constexpr double longest = 30;  // s
   for (const Stage& stage : scene.stages)
-    if (!stage.may_end_early() && stage.duration > longest)
+    if (!stage.cools && !stage.may_end_early() && stage.duration > longest)
       notes.push_back(
           fmt::format("stage \"{}\" takes {:.4g} s; usual are 10 to 13.4 s for the whole cycle of a section, 0.3 to "
                       "1.8 s of it for "
                       "a reheat",
                       stage.name, stage.duration));
+}
+
+/// A parison that leaves its blank is turned over before it is blown in its mould.
+void add_gravity(const Scene& scene, std::vector<std::string>& notes) {
+  const ContainerPlan& plan = *scene.container;
+  if (!plan.parison) return;
+  const Stage& formed = scene.stages[static_cast<std::size_t>(plan.parison->stage)];
+  for (auto s = static_cast<std::size_t>(plan.parison->stage) + 1; s < scene.stages.size(); ++s) {
+    const Stage& stage = scene.stages[s];
+    const bool is_blown = std::any_of(stage.pressure.begin(), stage.pressure.end(),
+                                      [](const auto& pressure) { return pressure.second.max() > 0; });
+    const bool has_new_tool = std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
+      return std::none_of(formed.tools.begin(), formed.tools.end(),
+                          [&](const auto& one) { return one.tool == tool.tool; });
+    });
+    if (!is_blown || !has_new_tool || stage.gravity * formed.gravity <= 0) continue;
+    notes.push_back(fmt::format(
+        "gravity acts in stage \"{}\" as in \"{}\"; usual is a parison that is turned over between blank and mould: "
+        "gravity of the other sign from the stage on in which it leaves the blank",
+        stage.name, formed.name));
+    return;
+  }
 }
 
 void add_wall(const ContainerPlan& plan, std::vector<std::string>& notes) {
@@ -136,6 +167,7 @@ std::vector<std::string> unusual_values(const Scene& scene) {
   for (auto& note : faces_without_contact(scene)) notes.push_back(std::move(note));
   if (const auto& plan = scene.container) {
     add_wall(*plan, notes);
+    add_gravity(scene, notes);
     add_fill_level(scene, *plan, notes);
     for (auto& note : tools_run_into(scene, *plan)) notes.push_back(std::move(note));
     for (auto& note : cavity_without_contact(scene, *plan)) notes.push_back(std::move(note));

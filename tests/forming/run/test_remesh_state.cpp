@@ -142,12 +142,14 @@ boundary = [
 ]
 [[tool]]
 name = "base"
+friction = "slip"
 boundary = [
   { name = "top", condition = "contact", path = "(22, 0) (0, 0) mm" },
   { name = "rest", condition = "insulated", path = "(0, -4) (22, -4) (22, 0) mm" },
 ]
 [[tool]]
 name = "wall"
+friction = "slip"
 boundary = [
   { name = "inner", condition = "contact", path = "(7.38, 40) (7.38, -20) mm" },
   { name = "rest", condition = "insulated", path = "(29, -20) (29, 40) (7.38, 40) mm" },

@@ -47,9 +47,8 @@ TEST(Accuracy, a_case_that_maps_its_mesh_is_held_against_a_finer_one) {
 TEST(Accuracy, the_study_of_the_jar_has_a_variant_for_each_part_of_its_model) {
   std::vector<Variant> study = standard_study(bundled("jar", "draft"), "fine");
   EXPECT_EQ(base_variant(study, "draft"), "draft");
-  for (const char* name :
-       {"standard", "mesh_x2", "no_radiation", "rosseland", "one_band",
-        "no_enclosure", "fixed_tools", "no_tension", "no_air_cooling", "no_gravity", "all_slip", "all_stick"})
+  for (const char* name : {"standard", "mesh_x2", "no_radiation", "rosseland", "one_band", "no_enclosure",
+                           "fixed_tools", "no_tension", "no_air_cooling", "no_gravity", "all_slip", "all_stick"})
     EXPECT_EQ(std::count_if(study.begin(), study.end(), [&](const Variant& r) { return r.name == name; }), 1) << name;
   for (const Variant& one : study) EXPECT_NO_THROW(bundled("jar", one.accuracy, one.overrides)) << one.name;
 }

@@ -73,9 +73,8 @@ void expect_order_three(const std::function<Manufactured(Index)>& made, const ch
           errors.push_back(error(m, swapped ? b : a, swapped ? a : b, slave));
         }
         const double first = std::log2(errors[0] / errors[1]), second = std::log2(errors[1] / errors[2]);
-        std::printf("%s %d:%d slave %d: L2 error %.3e %.3e %.3e, order %.2f %.2f\n", name,
-                    swapped ? finer : 2, swapped ? 2 : finer, slave + 1, errors[0], errors[1], errors[2], first,
-                    second);
+        std::printf("%s %d:%d slave %d: L2 error %.3e %.3e %.3e, order %.2f %.2f\n", name, swapped ? finer : 2,
+                    swapped ? 2 : finer, slave + 1, errors[0], errors[1], errors[2], first, second);
         measured.add(first);
         measured.add(second);
       }
