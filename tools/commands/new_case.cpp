@@ -41,7 +41,7 @@ bool drop_old_figures(std::string& text) {
 
 }  // namespace
 
-int new_case(const NewRequest& request) {
+std::string write_new_case(const NewRequest& request) {
   const fs::path folder = fs::path(request.folder).lexically_normal();
   const std::string name = folder.filename().string();
   check_name(request.folder, name);
@@ -68,8 +68,12 @@ int new_case(const NewRequest& request) {
   }
   core::write_text((folder / "case.toml").string(), head + text);
   forming::read_scene(folder.string(), "draft");
-  fmt::print("{}\n", (folder / "case.toml").string());
-  if (had_figures) fmt::print("  comments with figures of {} were left out\n", scene.name);
+  return fmt::format("{}\n", (folder / "case.toml").string()) +
+         (had_figures ? fmt::format("  comments with figures of {} were left out\n", scene.name) : "");
+}
+
+int new_case(const NewRequest& request) {
+  fmt::print("{}", write_new_case(request));
   return 0;
 }
 
