@@ -41,6 +41,8 @@ void make_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json
   const std::string name = asked.text_of("name");
   request.folder = state.folder.new_folder(name);
   request.like = asked.text_of("like");
+  request.wish = {asked.text_of("process"), asked.text_of("weight"), asked.text_of("capacity"), asked.text_of("height"),
+                  asked.text_of("finish")};
   const std::lock_guard<std::mutex> lock(state.reading);
   write_new_case(request);
   json.add("case", name + "/case.toml");
