@@ -92,7 +92,10 @@ std::string resolved(const std::string& file, const std::vector<std::string>& ov
     text = core::edited_case_text(
         text, file,
         fmt::format("dimension.{}={:g} mm", dimension.name, std::round(100 * dimension.measure.value / mm) / 100));
-  return std::regex_replace(text, std::regex("parison_base = [^\n]*\n"), "");
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    text = core::edited_case_text(
+        text, file, fmt::format("stage.{}.duration={:g} s", i, std::round(100 * scene.stages[i].duration) / 100));
+  return std::regex_replace(text, std::regex("parison_(base|wall) = [^\n]*\n"), "");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "tools/workbench/edit/open_case.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "core/case/text/case_edit.hpp"
 #include "core/io/files.hpp"
 #include "core/io/input_file.hpp"
+#include "tools/workbench/folder/left_files.hpp"
 
 namespace parison::tools {
 namespace {
@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 4'000'000;  // of a case file, as the reader has it
 constexpr std::size_t most_kept = 64'000'000;  // bytes of all former texts
+
+const std::string passing = ".parison_workbench_";  // begin of the name of a file until it has its own
 
 std::string text_of(const std::string& file) {
   const core::InputFile content = core::read_input_file(file, most_bytes);
@@ -30,8 +32,7 @@ std::string text_of(const std::string& file) {
 
 void write_users_file(const std::string& file, const std::string& text) {
   const fs::path path(file);
-  const std::string beside =
-      (path.parent_path() / fmt::format(".parison_workbench_{}_{}", getpid(), path.filename().string())).string();
+  const std::string beside = (path.parent_path() / passing_name(passing, path.filename().string())).string();
   try {
     core::write_text(beside, text);
     if (fs::exists(path)) fs::permissions(beside, fs::status(path).permissions());
@@ -45,7 +46,9 @@ void write_users_file(const std::string& file, const std::string& text) {
   core::sync_to_disk(path.parent_path().string());
 }
 
-OpenCase::OpenCase(std::string file) : file_(std::move(file)), text_(text_of(file_)) {}
+OpenCase::OpenCase(std::string file) : file_(std::move(file)), text_(text_of(file_)) {
+  remove_left_files(fs::path(file_).parent_path().string(), passing);
+}
 
 void OpenCase::keep(const std::string& text) {
   before_.push_back(text_);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 
@@ -34,16 +36,29 @@ std::optional<Length> length_of(const std::string& given) {
 struct Moved {
   std::string tool;
   core::Point at = core::Point::Zero(), along = core::Point::Zero();  ///< m; m for each m
+  double counts = 0;                                                  ///< by which corners are compared
 };
+
+/// How much a movement of a corner shows: most where a side that the glass may touch moves across itself.
+double weight(const forming::Tool& tool, std::size_t corner, const core::Point& along) {
+  const auto& segments = tool.profile.segments;
+  double most = 0.01;
+  for (const std::size_t i : {corner, (corner + segments.size() - 1) % segments.size()})
+    if (tool.boundaries[segments[i].boundary_id].kind == core::BoundaryKind::contact)
+      most = std::max(most, 0.2 + std::abs(core::normal_at(segments[i], i == corner ? 0 : 1).dot(along.normalized())));
+  return most * along.norm();
+}
 
 Moved most_moved(const forming::Scene& before, const forming::Scene& after, double step) {
   Moved most;
   for (std::size_t t = 0; t < before.tools.size(); ++t) {
-    const auto &from = before.tools[t].profile.segments, &to = after.tools[t].profile.segments;
+    const forming::Tool& tool = before.tools[t];
+    const auto &from = tool.profile.segments, &to = after.tools[t].profile.segments;
     for (std::size_t i = 0; i < from.size() && i < to.size(); ++i) {
       const core::Point along = (to[i].start - from[i].start) / step;
-      if (along.norm() > 1.01 * most.along.norm())
-        most = {before.tools[t].name, from[i].start + before.tools[t].position * core::axis_direction(), along};
+      if (along.norm() < 1e-3) continue;
+      if (const double counts = weight(tool, i, along); counts > 1.01 * most.counts)
+        most = {tool.name, from[i].start + tool.position * core::axis_direction(), along, counts};
     }
   }
   return most;

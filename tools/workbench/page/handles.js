@@ -61,6 +61,9 @@ function present(handle) {
   return { ...handle, number: handle.number + moved / handle.unit_mm, r_mm: handle.r_mm + moved * handle.dr, z_mm: handle.z_mm + moved * handle.dz };
 }
 
+/** The name of a handle, seen where it is pointed at or has the focus. */
+const nameOf = (label, x, y, before) => drawn("text", { class: "handle-name", x, y, "text-anchor": before ? "end" : "start" }, label);
+
 function dimensionHandle(drawing, handle) {
   const [x0, y0] = drawing.place(handle.r_mm, handle.z_mm), size = Math.hypot(handle.dr, handle.dz);
   const way = [handle.dr / size, (-drawing.up * handle.dz) / size], from = 9, to = 30;
@@ -81,7 +84,7 @@ function dimensionHandle(drawing, handle) {
   return drawn("g", { class: "handle", tabindex: 0, role: "slider", "aria-label": label, "aria-valuenow": handle.number, "data-name": handle.name, onpointerdown: begin,
       onkeydown: (event) => press(event, handle.number, (event.shiftKey ? fine : coarse) / handle.unit_mm, set) },
     drawn("title", {}, `${label}. ${word("handleHint")}`), drawn("circle", { cx: x0, cy: y0, r: 2.5 }), drawn("path", { class: "grab", d: `M${at(0)}L${at(to)}` }),
-    drawn("path", { d: `M${at(from)}L${at(to - 6)}` }), drawn("path", { class: "tip", d: `M${head}Z` }));
+    drawn("path", { d: `M${at(from)}L${at(to - 6)}` }), drawn("path", { class: "tip", d: `M${head}Z` }), nameOf(label, tip[0] + (way[0] < 0 ? -6 : 6), tip[1] - 5, way[0] < 0));
 }
 
 function cornerHandle(drawing, corner, number) {
@@ -102,7 +105,7 @@ function cornerHandle(drawing, corner, number) {
   };
   return drawn("g", { class: "handle corner", tabindex: 0, role: "slider", "aria-label": label, "aria-valuenow": corner.r_mm, "data-name": `${corner.tool}-${number}`, onpointerdown: begin, onkeydown: keys },
     drawn("title", {}, `${label}. ${word("handleHint")}`), drawn("rect", { class: "grab", x: x - 8, y: y - 8, width: 16, height: 16 }),
-    drawn("rect", { x: x - size, y: y - size, width: 2 * size, height: 2 * size }));
+    drawn("rect", { x: x - size, y: y - size, width: 2 * size, height: 2 * size }), nameOf(label, x + 8, y - 6, false));
 }
 
 export const dimensionHandles = (drawing, active) =>

@@ -46,10 +46,10 @@ export function runPart(openResult) {
     if (!run) return state.replaceChildren(element("p", { class: "soft" }, word("noRun")));
     const button = (name, question, main) => element("button", { id: `run-${question}`, class: main ? "main" : null, onclick: () => act(question) }, word(name));
     const resumable = !run.ours && ["stopped", "ended", "failed"].includes(run.state) && run.time_s > 0;
-    state.replaceChildren(element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
+    state.replaceChildren(...[element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
       element("div", { class: "bar" }, run.ours ? button("stopRun", "stop") : null, resumable ? button("resumeRun", "resume", true) : null,
         run.time_s ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
-      run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null);
+      run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null].filter((one) => one));
   };
   let seen = "",
     caseName = null;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/workbench/runs/sketch.hpp"
 
-#include <fmt/core.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -14,6 +13,7 @@
 #include "core/process/run_error.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/report/data/result_folder.hpp"
+#include "tools/workbench/folder/left_files.hpp"
 
 namespace parison::tools {
 namespace {
@@ -22,23 +22,11 @@ namespace fs = std::filesystem;
 
 const std::string prefix = "parison_workbench_";
 
-/// Removes what servers have left that were killed.
-void remove_left(const fs::path& place) {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(place, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.compare(0, prefix.size(), prefix) != 0) continue;
-    const std::string process = name.substr(prefix.size(), name.rfind('_') - prefix.size());
-    std::error_code ignored;
-    if (!fs::exists("/proc/" + process)) fs::remove_all(entry.path(), ignored);
-  }
-}
-
 /// A new folder, in memory where the system has such a place.
 std::string private_folder() {
   const fs::path memory("/dev/shm"), place = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
-  remove_left(place);
-  std::string name = (place / fmt::format("{}{}_XXXXXX", prefix, getpid())).string();
+  remove_left_files(place.string(), prefix);
+  std::string name = (place / passing_name(prefix, "XXXXXX")).string();
   if (!mkdtemp(name.data())) throw core::RunError(name + ": no folder can be made for sketches");
   return name;
 }
