@@ -55,6 +55,8 @@ void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json
 void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void resume_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 
 /// The values that are to be set, as override_value takes them: given as such, or by a corner and its new place. The

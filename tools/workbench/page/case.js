@@ -4,6 +4,7 @@
 import { tryAsk } from "./api.js";
 import { element } from "./dom.js";
 import { Drawing } from "./drawing.js";
+import { dxfPart } from "./dxf.js";
 import { caseEditor } from "./editor.js";
 import { valueFields } from "./fields.js";
 import { model, on, openCase } from "./model.js";
@@ -55,7 +56,7 @@ function bundledNote() {
 
 export async function caseScreen(main, name) {
   const drawing = new Drawing();
-  const side = tabs({ values: valueFields((line) => (side.choose("text"), editor.goTo(line))), text: element("div", { class: "text-tab" }),
+  const side = tabs({ values: valueFields((line) => (side.choose("text"), editor.goTo(line))), text: element("div", { class: "text-tab" }), drawing: dxfPart(),
     run: runPart(() => side.choose("result")), result: resultPart() });
   const editor = caseEditor(side.element.querySelector(".text-tab"));
   main.className = "case";

@@ -39,6 +39,7 @@ function choose(theirs, mine) {
 
 export function caseEditor(place) {
   let pause = 0, typed = false, sending = false, name = "", view = null;
+  let base = 0; // the version that the text was typed into: the model may be newer
 
   /** Writes what was typed; where the file has changed meanwhile the user says which text stays. */
   async function write() {
@@ -48,15 +49,17 @@ export function caseEditor(place) {
       typed = false;
       const text = view.state.doc.toString();
       try {
-        takeCase(await ask("text", { case: model.name, version: model.version, text }));
+        const answer = await ask("text", { case: name, version: base, text });
+        base = answer.version;
+        takeCase(answer);
         say("");
       } catch (error) {
         typed = true;
         if (error.status !== 422) break; // the next key, or the next look, tries again
-        const now = await ask("case", { case: model.name });
+        const now = await ask("case", { case: name });
         const kept = now.text === text ? text : await choose(now.text, text);
         typed = kept !== now.text;
-        model.version = now.version;
+        base = now.version;
         if (!typed) takeCase(now);
       }
     }
@@ -67,6 +70,7 @@ export function caseEditor(place) {
   function take() {
     if (!view || typed || sending) return;
     if (name !== model.name) start();
+    base = model.version;
     const now = view.state.doc.toString();
     if (now !== model.text) view.dispatch({ changes: difference(now, model.text), annotations: fromFile.of(true) });
     mark();
@@ -91,6 +95,7 @@ export function caseEditor(place) {
 
   function start() {
     name = model.name;
+    base = model.version;
     if (view) view.destroy();
     view = new EditorView({ parent: place, state: EditorState.create({ doc: model.text, extensions: [
       lineNumbers(), highlightActiveLine(), drawSelection(), lintGutter(), StreamLanguage.define(toml), syntaxHighlighting(style), EditorState.readOnly.of(Boolean(model.bundled)),
