@@ -6,7 +6,8 @@ import { drawn, element, shown } from "./dom.js";
 import { change, model, on } from "./model.js";
 import { word } from "./words.js";
 
-const clicks = ["axisClick", "planeClick", "fromClick", "toClick"];
+const clicks = ["axisClick", "planeClick", "fromClick", "viaClick", "toClick"];
+const ends = { fromClick: "from", viaClick: "via", toClick: "to" };
 
 /** The boundaries of the tools as [key, label]. */
 function boundaries() {
@@ -16,7 +17,7 @@ function boundaries() {
 }
 
 export function dxfPart() {
-  const state = { name: "", unit: "", axis: "y", origin: [0, 0], click: "axisClick", hidden: new Set(), from: null, to: null, answer: null };
+  const state = { name: "", unit: "", axis: "y", origin: [0, 0], click: "axisClick", hidden: new Set(), from: null, via: null, to: null, answer: null };
   const files = element("select", { onchange: () => load(files.value) });
   const input = element("input", { type: "file", accept: ".dxf", id: "dxf-file", onchange: () => input.files[0] && take(input.files[0]) });
   const choice = (id, values, action) => element("select", { id, onchange: (event) => action(event.target.value) }, ...values.map((one) => element("option", { value: one }, one)));
@@ -73,14 +74,14 @@ export function dxfPart() {
     const place = inDrawing(end.at), along = state.axis.endsWith("y") ? 1 : 0, click = state.click;
     if (click === "axisClick") state.origin[1 - along] = place[1 - along];
     else if (click === "planeClick") state.origin[along] = place[along];
-    else Object.assign(state, { [click === "fromClick" ? "from" : "to"]: end.at, layer: end.layer });
+    else Object.assign(state, { [ends[click]]: end.at, layer: end.layer });
     state.click = clicks[(clicks.indexOf(click) + 1) % clicks.length];
-    if (click === "axisClick" || click === "planeClick") Object.assign(state, { from: null, to: null }), load();
+    if (click === "axisClick" || click === "planeClick") Object.assign(state, { from: null, via: null, to: null }), load();
     else show();
   }
   const point = ([r, z]) => `"(${shown(Math.abs(r), 4)}, ${shown(z, 4)}) mm"`;
   async function assign() {
-    const parts = [`file = "${state.name}"`, state.unit ? `unit = "${state.unit}"` : "", `layer = ${JSON.stringify(state.layer)}`, `from = ${point(state.from)}`, `to = ${point(state.to)}`,
+    const parts = [`file = "${state.name}"`, state.unit ? `unit = "${state.unit}"` : "", `layer = ${JSON.stringify(state.layer)}`, `from = ${point(state.from)}`, state.via ? `via = ${point(state.via)}` : "", `to = ${point(state.to)}`,
       state.origin.some((x) => x) ? `origin = "${originText()}"` : "", state.axis === "y" ? "" : `axis = "${state.axis}"`].filter((one) => one);
     await change("set", { set: [`${target.value}={ ${parts.join(", ")} }`] });
   }
@@ -94,7 +95,7 @@ export function dxfPart() {
       const box = element("input", { type: "checkbox", checked: !state.hidden.has(layer.name), onchange: () => (state.hidden[box.checked ? "delete" : "add"](layer.name), show()) });
       return element("label", { class: "tick" }, box, `${layer.name} (${layer.curves_mm.length})`);
     }));
-    where.textContent = [word("originAt", originText()), state.from && `${word("fromClick")} ${point(state.from)}`, state.to && `${word("toClick")} ${point(state.to)}`].filter((one) => one).join(", ");
+    where.textContent = [word("originAt", originText()), ...Object.entries(ends).map(([click, name]) => state[name] && `${word(click)} ${point(state[name])}`)].filter((one) => one).join(", ");
     give.disabled = !(state.from && state.to && target.value) || model.bundled;
     draw();
   }
@@ -110,7 +111,7 @@ export function dxfPart() {
     const path = (curve) => curve.map((_, i) => (i % 2 ? "" : `${i ? "L" : "M"}${at(curve[i], curve[i + 1]).map((x) => x.toFixed(1)).join(" ")}`)).join("");
     const mark = (place, kind) => (place ? [drawn("circle", { class: kind, cx: at(...place)[0], cy: at(...place)[1], r: 5 })] : []);
     const [ox, oy] = at(0, 0);
-    svg.replaceChildren(...curves.map((curve) => drawn("path", { d: path(curve) })), drawn("path", { class: "axis", d: `M${ox} 0V${height}M0 ${oy}H${width}` }), ...mark(state.from, "from"), ...mark(state.to, "to"));
+    svg.replaceChildren(...curves.map((curve) => drawn("path", { d: path(curve) })), drawn("path", { class: "axis", d: `M${ox} 0V${height}M0 ${oy}H${width}` }), ...mark(state.from, "from"), ...mark(state.via, "via"), ...mark(state.to, "to"));
   }
 
   const panel = element("div", { class: "dxf-tab", ondragover: (event) => event.preventDefault(), ondrop: (event) => (event.preventDefault(), event.dataTransfer.files[0] && take(event.dataTransfer.files[0])) },

@@ -36,8 +36,8 @@ const table = {
   values: ["Values", "Werte"],
   drawing: ["Drawing", "Zeichnung"],
   dxfHint: [
-    "Drop a DXF file here. Click the axis, then the plane of the finish, then the begin and the end of a contour; give it to a tool.",
-    "DXF-Datei hierher ziehen. Die Achse anklicken, dann die Ebene der Mündung, dann Anfang und Ende einer Kontur; sie einem Werkzeug geben.",
+    "Drop a DXF file here. Click the axis, then the plane of the finish, then the begin of a contour, a place between and its end; give it to a tool.",
+    "DXF-Datei hierher ziehen. Die Achse anklicken, dann die Ebene der Mündung, dann Anfang einer Kontur, eine Stelle dazwischen und ihr Ende; sie einem Werkzeug geben.",
   ],
   chooseDrawing: ["drawings beside the case", "Zeichnungen beim Fall"],
   unit: ["Unit", "Einheit"],
@@ -45,6 +45,7 @@ const table = {
   axisClick: ["Axis", "Achse"],
   planeClick: ["Plane of the finish", "Ebene der Mündung"],
   fromClick: ["Begin", "Anfang"],
+  viaClick: ["Between", "Dazwischen"],
   toClick: ["End", "Ende"],
   originAt: ["origin {0}", "Ursprung {0}"],
   give: ["Give to the tool", "Dem Werkzeug geben"],
