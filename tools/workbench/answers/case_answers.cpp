@@ -39,9 +39,14 @@ std::string sentence_of(const core::CaseError& error) {
   return text;
 }
 
+/// Whether a page has seen the last change.
+bool has_seen(const OpenCase& one, const Asked& asked) {
+  return asked.number_of("version") == static_cast<double>(one.version());
+}
+
 /// Refuses a change by a page that has not seen the last one.
 void require_seen(const OpenCase& one, const Asked& asked) {
-  if (static_cast<long>(asked.number_of("version")) != one.version())
+  if (!has_seen(one, asked))
     throw core::CaseError(fmt::format("{}: the file has changed meanwhile; nothing was written", one.file()));
 }
 
@@ -97,7 +102,7 @@ void add_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json)
 void add_news(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
   if (const std::string name = asked.text_of("case"); !name.empty()) {
     const OpenCase& one = state.open(name);
-    if (static_cast<long>(asked.number_of("version")) != one.version()) add_text(one, name, json);
+    if (!has_seen(one, asked)) add_text(one, name, json);
   }
   if (const std::string results = asked.text_of("results"); !results.empty()) {
     json.open_object("run");

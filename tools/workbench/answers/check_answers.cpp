@@ -14,8 +14,8 @@ std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked)
   if (const Asked* corner = asked.find("corner")) {
     constexpr double mm = 1e-3;
     const auto handles = corner_handles(one.file(), forming::read_scene(one.file(), "draft"));
-    const auto number = static_cast<std::size_t>(corner->number_of("number"));
-    return moved_corner(handles, number, mm * core::Point(corner->number_of("r_mm"), corner->number_of("z_mm")));
+    return moved_corner(handles, corner->number_of("number"),
+                        mm * core::Point(corner->number_of("r_mm"), corner->number_of("z_mm")));
   }
   return assignments;
 }

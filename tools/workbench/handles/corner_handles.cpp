@@ -97,10 +97,10 @@ std::vector<CornerHandle> corner_handles(const std::string& case_file, const for
   return handles;
 }
 
-std::vector<std::string> moved_corner(const std::vector<CornerHandle>& handles, std::size_t number,
-                                      const core::Point& to) {
-  if (number >= handles.size()) throw core::CaseError("no such corner was found, the case has changed");
-  const CornerHandle& handle = handles[number];
+std::vector<std::string> moved_corner(const std::vector<CornerHandle>& handles, double number, const core::Point& to) {
+  if (!(number >= 0 && number < static_cast<double>(handles.size())) || !to.allFinite())
+    throw core::CaseError("no such corner was found, the case has changed");
+  const CornerHandle& handle = handles[static_cast<std::size_t>(number)];
   const core::Point own = (handle.at[0] == 0 ? core::Point(0, to[1]) : to) - handle.position * core::axis_direction();
   std::vector<std::string> assignments;
   auto places = handle.places;

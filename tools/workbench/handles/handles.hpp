@@ -28,8 +28,8 @@ struct CornerHandle {
 /// The corners of the tools of a case that can be moved so.
 std::vector<CornerHandle> corner_handles(const std::string& case_file, const forming::Scene& scene);
 
-/// The assignments that put one to another place, m; throws core::CaseError where the number is that of none.
-std::vector<std::string> moved_corner(const std::vector<CornerHandle>& handles, std::size_t number,
-                                      const core::Point& to);
+/// The assignments that put one to another place, m; throws core::CaseError where the number is that of none, or the
+/// place is none.
+std::vector<std::string> moved_corner(const std::vector<CornerHandle>& handles, double number, const core::Point& to);
 
 }  // namespace parison::tools

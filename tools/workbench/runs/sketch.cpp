@@ -2,10 +2,10 @@
 #include "tools/workbench/runs/sketch.hpp"
 
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/io/files.hpp"
