@@ -131,7 +131,7 @@ export class Drawing {
       return drawn("path", { class: c < -1e-6 ? "bad-bar" : "good-bar", d: `M${x} ${y}h${Math.max(1.5, size * Math.abs(c))}` });
     });
     const label = drawn("text", { x: this.width - 4, y: 14, "text-anchor": "end" }, `${word("clearanceTitle")} ${shown(most, 0)} mm`);
-    return [drawn("g", { class: "clearance" }, drawn("path", { class: "base", d: `M${x} 20V${this.height - 6}` }), ...bars, label)];
+    return [drawn("g", { class: "clearance", role: "img", "aria-label": word("clearanceHelp") }, drawn("title", {}, word("clearanceHelp")), drawn("path", { class: "base", d: `M${x} 20V${this.height - 6}` }), ...bars, label)];
   }
 
   handles() {

@@ -12,8 +12,14 @@ const hidden = /(^case|^geometry|\.path(\.\d+)*|\.tools\.\d+|^(stage|tool|probe)
 
 const plain = (key) => key.split(".").filter((one) => !/^\d+$/.test(one)).join(".");
 
-/** Whether a problem of the reader is about this value. */
-const isAbout = (problem, key, line) => problem && problem.line === line && plain(key) === problem.key;
+/** The key of the value that a problem of the reader is about, or of the first in the table that it is about. */
+function wrongKey() {
+  const problem = model.check && model.check.problem;
+  if (!problem || !model.values) return "";
+  const inLine = model.values.filter(([key, , line]) => line === problem.line && !hidden.test(key)), is = (name) => name === problem.key;
+  const found = inLine.find(([key]) => is(plain(key))) || inLine.find(([key]) => plain(key).startsWith(`${problem.key}.`));
+  return found ? found[0] : "";
+}
 
 /** The groups of the values: of each a title, and its fields as [key, label, value, line]. */
 function groups(values) {
@@ -30,9 +36,8 @@ function groups(values) {
   return [...found.entries()].sort((a, b) => order.indexOf(a[1].group) - order.indexOf(b[1].group));
 }
 
-function fieldOf([key, label, value, line], goTo) {
-  const id = `value-${key}`, problem = model.check && model.check.problem;
-  const wrong = isAbout(problem, key, line);
+function fieldOf([key, label, value, line], wrongOne, goTo) {
+  const id = `value-${key}`, problem = model.check && model.check.problem, wrong = key === wrongOne;
   const input = element("input", { id, value, spellcheck: "false", disabled: model.bundled, "aria-invalid": wrong ? "true" : null, "aria-describedby": wrong ? `${id}-wrong` : null });
   const send = () => input.value !== value && change("set", { set: [`${key}=${input.value}`] }).then((done) => !done && (input.value = value));
   input.addEventListener("change", send);
@@ -47,11 +52,11 @@ export function valueFields(goTo) {
     const focused = panel.contains(document.activeElement) && document.activeElement.matches("input") ? document.activeElement : null;
     const selection = focused && [focused.selectionStart, focused.selectionEnd];
     if (!model.values) return panel.replaceChildren(element("p", { class: "bad" }, word("brokenText")));
-    const top = panel.scrollTop, problem = model.check && model.check.problem;
+    const top = panel.scrollTop, wrongOne = wrongKey();
     panel.replaceChildren(...groups(model.values).map(([id, one]) => {
-      const wrong = one.fields.some(([key, , , line]) => isAbout(problem, key, line));
+      const wrong = one.fields.some(([key]) => key === wrongOne);
       const details = element("details", { open: wrong || (open.get(id) ?? ["dimensions", "glass", "stage"].includes(one.group)) },
-        element("summary", {}, one.title), ...one.fields.map((field) => fieldOf(field, goTo)));
+        element("summary", {}, one.title), ...one.fields.map((field) => fieldOf(field, wrongOne, goTo)));
       details.addEventListener("toggle", () => open.set(id, details.open));
       return details;
     }));
