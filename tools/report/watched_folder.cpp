@@ -13,21 +13,20 @@
 #include "tools/report/report.hpp"
 
 namespace parison::tools {
-namespace {
-
 namespace fs = std::filesystem;
 
-constexpr const char* policy =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; connect-src 'self'; img-src data:; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors ";
-
-}  // namespace
+std::string report_policy(const std::string& ancestors) {
+  return "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; connect-src 'self'; img-src "
+         "data:; "
+         "base-uri 'none'; form-action 'none'; frame-ancestors " +
+         ancestors;
+}
 
 WatchedFolder::WatchedFolder(std::string path) : path_(std::move(path)), page_(page_text(path_, "null")) {}
 
 PageAnswer WatchedFolder::answer(const std::string& target, const std::string& ancestors) {
   PageAnswer answer;
-  answer.policy = policy + ancestors;
+  answer.policy = report_policy(ancestors);
   if (target.empty()) {
     answer.type = "text/html; charset=utf-8";
     answer.body = page_;

@@ -7,6 +7,9 @@
 
 namespace parison::tools {
 
+/// Where a report and what it asks for may come from; `ancestors` may show it in a frame.
+std::string report_policy(const std::string& ancestors);
+
 /// A result folder that may grow, end, vanish and begin anew while it is looked at.
 class WatchedFolder {
  public:

@@ -53,6 +53,14 @@ void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json
   json.add("results", state.runs.start(one.file(), asked.text_of("accuracy")));
 }
 
+void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  const OpenCase& one = state.open(asked.text_of("case"));
+  std::vector<std::string> changes;
+  if (const Asked* set = asked.find("set"))
+    for (const Asked& item : set->items) changes.push_back(item.text);
+  json.add("results", state.runs.start_what_if(one.file(), asked.text_of("accuracy"), changes));
+}
+
 void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
   state.runs.stop(asked.text_of("results"));
 }

@@ -10,6 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
 #include "tools/program/bundled_cases.hpp"
+#include "tools/report/data/result_folder.hpp"
 
 namespace parison::tools {
 namespace {
@@ -53,6 +54,12 @@ PageAnswer report_answer(WorkbenchState& state, const std::string& rest) {
   const auto slash = rest.rfind('/');
   if (slash == rest.npos) return refusal(404, "no such results");
   const std::lock_guard<std::mutex> lock(state.reading);
+  const fs::path folder = state.folder.existing(rest.substr(0, slash));
+  if (!is_result_folder(folder.string()) && slash + 1 == rest.size() && fs::exists(folder / "report.html")) {
+    PageAnswer answer = file_answer(folder, "report.html");
+    answer.policy = report_policy("'self'");
+    return answer;
+  }
   return state.watched(rest.substr(0, slash)).answer(rest.substr(slash + 1), "'self'");
 }
 
@@ -60,11 +67,11 @@ using Answer = void (*)(WorkbenchState&, const Asked&, core::JsonWriter&);
 
 const std::map<std::string, Answer>& answers() {
   static const std::map<std::string, Answer> all{
-      {"start", add_start},     {"case", add_case},       {"news", add_news},       {"set", change_values},
-      {"text", change_text},    {"undo", undo_change},    {"redo", redo_change},    {"check", add_check},
-      {"handles", add_handles}, {"new", make_case},       {"run", start_run},       {"stop", stop_run},
-      {"resume", resume_run},   {"sketch", start_sketch}, {"outline", add_outline}, {"drawings", add_drawings},
-      {"drawing", add_drawing}};
+      {"start", add_start},       {"case", add_case},      {"news", add_news},       {"set", change_values},
+      {"text", change_text},      {"undo", undo_change},   {"redo", redo_change},    {"check", add_check},
+      {"handles", add_handles},   {"new", make_case},      {"run", start_run},       {"what-if", start_what_if},
+      {"stop", stop_run},         {"resume", resume_run},  {"sketch", start_sketch}, {"outline", add_outline},
+      {"drawings", add_drawings}, {"drawing", add_drawing}};
   return all;
 }
 

@@ -52,6 +52,7 @@ void add_check(WorkbenchState& state, const Asked& asked, core::JsonWriter& json
 void add_handles(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void make_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void resume_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);

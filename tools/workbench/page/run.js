@@ -36,6 +36,13 @@ export function runPart(openResult) {
     follow(made.results);
     await news();
   };
+  const changes = element("textarea", { id: "changes", rows: 3, spellcheck: "false", "aria-label": word("changes"), placeholder: "stage.reheat.duration=1.9 s\ntool.blank.temperature=440 degC" });
+  const compare = async () => {
+    const set = changes.value.split("\n").map((line) => line.trim()).filter((line) => line);
+    const made = set.length && (await tryAsk("what-if", { case: model.name, accuracy: select.value, set }));
+    if (made) follow(made.results);
+    await news();
+  };
   const follow = (results) => {
     model.results = results;
     model.run = null;
@@ -48,7 +55,7 @@ export function runPart(openResult) {
     const resumable = !run.ours && ["stopped", "ended", "failed"].includes(run.state) && run.time_s > 0;
     state.replaceChildren(...[element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
       element("div", { class: "bar" }, run.ours ? button("stopRun", "stop") : null, resumable ? button("resumeRun", "resume", true) : null,
-        run.time_s ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
+        run.time_s || run.study ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
       run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null].filter((one) => one));
   };
   let seen = "",
@@ -74,7 +81,8 @@ export function runPart(openResult) {
   });
   show();
   return element("div", { class: "run" }, element("div", { class: "bar" }, element("label", {}, element("span", {}, word("accuracy")), select), element("button", { class: "main", id: "run-start", onclick: begin }, word("startRun"))),
-    state, element("h3", {}, word("yourResults")), list);
+    state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
+    element("h3", {}, word("yourResults")), list);
 }
 
 export function resultPart() {
@@ -82,7 +90,7 @@ export function resultPart() {
   const panel = element("div", { class: "result" }, empty);
   let shownName = "";
   on("run", () => {
-    if (!model.run || !model.run.time_s || shownName === model.results) return;
+    if (!model.run || !(model.run.time_s || model.run.study) || shownName === model.results) return;
     shownName = model.results;
     const address = `result/${encodeURIComponent(model.results)}/`;
     panel.replaceChildren(element("p", {}, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results)), element("iframe", { src: address, title: word("result") }));

@@ -95,6 +95,13 @@ const table = {
   startRun: ["Start", "Start"],
   stopRun: ["Stop", "Anhalten"],
   resumeRun: ["Resume", "Fortsetzen"],
+  whatIf: ["What if", "Was wäre, wenn"],
+  whatIfHint: [
+    "One change in each line. Runs of the case and of each change end with a report of the differences, with bars and what is real.",
+    "Eine Änderung in jeder Zeile. Rechnungen des Falls und jeder Änderung enden mit einem Bericht der Unterschiede, mit Fehlerbalken und was davon wirklich ist.",
+  ],
+  changes: ["Changes", "Änderungen"],
+  compare: ["Compare", "Vergleichen"],
   openResult: ["Look at the result", "Ergebnis ansehen"],
   time: ["{0} s of at most {1} s, stage {2}", "{0} s von höchstens {1} s, Stufe {2}"],
   state_running: ["running", "läuft"],

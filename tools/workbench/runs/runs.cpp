@@ -9,6 +9,7 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
+#include "forming/study/comparison/study_folder.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/report/data/result_folder.hpp"
 
@@ -53,13 +54,44 @@ void Runs::begin(const std::vector<std::string>& words, const std::string& resul
   children_[results] = start_self(words, (fs::path(folder_.path()) / (results + ".log")).string());
 }
 
+namespace {
+
+/// The name of a case by its file.
+std::string name_of_case(const std::string& file) {
+  const fs::path path(file);
+  return path.filename() == "case.toml" ? path.parent_path().filename().string() : path.stem().string();
+}
+
+}  // namespace
+
 std::string Runs::start(const std::string& case_file, const std::string& accuracy) {
-  fs::path name = fs::path(case_file).parent_path().filename();
-  if (fs::path(case_file).filename() != "case.toml") name = fs::path(case_file).stem();
-  const std::string results = folder_.new_results(name.string());
+  const std::string results = folder_.new_results(name_of_case(case_file));
   const std::string output = (fs::path(folder_.path()) / results).string();
   begin({"run", case_file, "--accuracy", accuracy, "--output", output, "--keep-going"}, results);
   return results;
+}
+
+std::string Runs::start_what_if(const std::string& case_file, const std::string& accuracy,
+                                const std::vector<std::string>& changes) {
+  const std::string results = folder_.new_results("what_if_" + name_of_case(case_file));
+  std::vector<std::string> words{"what-if", case_file,  "--accuracy",
+                                 accuracy,  "--output", (fs::path(folder_.path()) / results).string()};
+  for (const std::string& change : changes) words.insert(words.end(), {"--set", change});
+  begin(words, results);
+  return results;
+}
+
+void Runs::add_study(const std::string& results, bool alive, core::JsonWriter& json) {
+  const fs::path path = fs::path(folder_.path()) / results;
+  bool has_report = fs::exists(path / "report.html");
+  if (!alive && !has_report && forming::study_folder(path.string()) && reported_.insert(results).second) {
+    begin({"report", path.string()}, results);
+    alive = true;
+  }
+  has_report = has_report && !alive;
+  json.add("study", has_report);
+  json.add("state", alive ? "running" : has_report ? "completed" : "failed");
+  json.add("log", has_report ? "" : tail_of(path.string() + ".log"));
 }
 
 void Runs::resume(const std::string& results) {
@@ -79,13 +111,10 @@ void Runs::add_state(const std::string& results, core::JsonWriter& json) {
   const std::string path = (fs::path(folder_.path()) / results).string();
   json.add("results", results);
   json.add("ours", alive);
-  if (is_result_folder(path)) {
-    const ResultFolder folder = read_folder(folder_.existing(results));
-    json.add("state", alive ? "running" : name_of(folder.state));
-    add_progress(folder, json);
-  } else {
-    json.add("state", alive ? "running" : "failed");
-  }
+  if (!is_result_folder(path)) return add_study(results, alive, json);
+  const ResultFolder folder = read_folder(folder_.existing(results));
+  json.add("state", alive ? "running" : name_of(folder.state));
+  add_progress(folder, json);
   json.add("log", alive ? "" : tail_of(path + ".log"));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class Runs {
 
   /// Starts a run and returns the name of its results. Refuses more at once than the machine has processors.
   std::string start(const std::string& case_file, const std::string& accuracy);
+  /// Starts runs of a case and of changes of it, key=value, which end with a report of their differences.
+  std::string start_what_if(const std::string& case_file, const std::string& accuracy,
+                            const std::vector<std::string>& changes);
   /// Goes on with one from its last checkpoint.
   void resume(const std::string& results);
   /// Asks one to end with a checkpoint.
@@ -26,9 +30,12 @@ class Runs {
  private:
   void begin(const std::vector<std::string>& words, const std::string& results);
   bool is_alive(const std::string& results);
+  /// What has become of runs that are compared: their report is made once they have ended.
+  void add_study(const std::string& results, bool alive, core::JsonWriter& json);
 
   const OpenFolder& folder_;
   std::map<std::string, int> children_;  ///< by the name of the results
+  std::set<std::string> reported_;       ///< results for which a report was begun
 };
 
 }  // namespace parison::tools
