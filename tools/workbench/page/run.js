@@ -11,7 +11,7 @@ const accuracies = { "draft coarser 2": "sketchAccuracy", draft: "draft", standa
 /** The results of this case in the folder, newest first. */
 async function ownResults() {
   const start = await ask("start"), own = model.name.replace(/\/?case\.toml$/, "").split("/").pop() || start.folder.split("/").pop();
-  const isOwn = (name) => new RegExp(`(^|/)${own.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(_\\d+)?$`).test(name);
+  const isOwn = (name) => new RegExp(`(^|/)(what_if_)?${own.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(_\\d+)?$`).test(name);
   return start.results.filter(isOwn);
 }
 
