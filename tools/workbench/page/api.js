@@ -26,6 +26,11 @@ export async function ask(question, asked = {}) {
   return answer;
 }
 
+/** Sends what the browser is to bring to the server although the page goes; up to 64 kB. */
+export function send(question, asked) {
+  fetch(`api/${question}`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(asked), keepalive: true });
+}
+
 /** Asks and shows the sentence of a refusal; nothing then. */
 export async function tryAsk(question, asked) {
   try {

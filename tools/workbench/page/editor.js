@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text of the case; what is typed is written to the file when it rests, what others write appears.
 
-import { ask } from "./api.js";
+import { ask, send } from "./api.js";
 import {
   Annotation, EditorState, EditorView, HighlightStyle, StreamLanguage, defaultKeymap, drawSelection, highlightActiveLine, indentWithTab, keymap, lineNumbers, lintGutter,
   searchKeymap, setDiagnostics, syntaxHighlighting, tags, toml,
@@ -51,7 +51,7 @@ export function caseEditor(place) {
       try {
         const answer = await ask("text", { case: name, version: base, text });
         base = answer.version;
-        takeCase(answer);
+        if (name === model.name) takeCase(answer);
         say("");
       } catch (error) {
         typed = true;
@@ -60,7 +60,7 @@ export function caseEditor(place) {
         const kept = now.text === text ? text : await choose(now.text, text);
         typed = kept !== now.text;
         base = now.version;
-        if (!typed) takeCase(now);
+        if (!typed && name === model.name) takeCase(now);
       }
     }
     sending = false;
@@ -103,6 +103,7 @@ export function caseEditor(place) {
   }
 
   model.flush = write;
+  model.leave = () => typed && send("text", { case: name, version: base, text: view.state.doc.toString() });
   on("check", () => view && !typed && mark());
   return {
     take: () => (view ? take() : (start(), mark())),

@@ -54,7 +54,7 @@ async function show() {
     if (name) await caseScreen(main, name);
     else {
       model.name = "";
-      model.flush = null;
+      model.flush = model.leave = null;
       await startScreen(main);
     }
   } catch (error) {
@@ -83,6 +83,7 @@ async function follow() {
 setLanguage(kept("language") || (navigator.language.startsWith("de") ? "de" : languageName()));
 applyTheme(kept("theme"));
 addEventListener("hashchange", show);
+addEventListener("pagehide", () => model.leave && model.leave());
 addEventListener("keydown", keyPressed, true);
 show();
 follow();
