@@ -85,10 +85,15 @@ std::optional<Place> place_beside(const Mesh& old, const Criteria& criteria, con
 /// to flow first.
 bool belongs_to_surface(const Mesh& old, const std::vector<Link>& links, const Place& place, const Point& corner,
                         double target_size) {
-  const auto& edges = old.boundary_edges();
-  const Index before = place.s > 0 ? place.edge : links[place.edge].previous;
-  return (exterior_point(old, {}, place) - corner).norm() < 0.1 * target_size &&
-         !is_reentrant(old.nodes[edges[before].nodes[0]], corner, old.nodes[edges[place.edge].nodes[1]]);
+  if ((exterior_point(old, {}, place) - corner).norm() >= 0.1 * target_size) return false;
+  // Seen from vertices that are not so near that any direction turns.
+  const double apart = 0.5 * target_size;
+  const auto vertex = [&](Index edge, int end) { return old.nodes[old.boundary_edges()[edge].nodes[end]]; };
+  Index before = place.s > 0 ? place.edge : links[place.edge].previous, after = place.edge;
+  while ((vertex(before, 0) - corner).norm() < apart && links[before].previous != place.edge)
+    before = links[before].previous;
+  while ((vertex(after, 1) - corner).norm() < apart && links[after].next != place.edge) after = links[after].next;
+  return !is_reentrant(vertex(before, 0), corner, vertex(after, 1));
 }
 
 /// Adds the edges beside a place if they fill a tool corner: between two contacts where less than half the edge length

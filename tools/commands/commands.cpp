@@ -15,6 +15,7 @@
 #include "tools/materials/materials.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/report.hpp"
+#include "tools/workbench/workbench.hpp"
 
 namespace parison::tools {
 namespace {
@@ -70,6 +71,17 @@ void add_report(CLI::App& app, Command& chosen) {
       ->needs(live);
 }
 
+void add_workbench(CLI::App& app, Command& chosen) {
+  const auto request = std::make_shared<WorkbenchRequest>();
+  auto* command = add_command(app, "workbench", "work on the cases of a folder in the browser, on this machine alone",
+                              chosen, request, workbench);
+  command->add_option("folder", request->folder, "folder of cases and results")->capture_default_str();
+  command->add_option("--port", request->port, "port of the page, or the next free one")
+      ->capture_default_str()
+      ->check(CLI::Range(1024, 65535));
+  command->add_flag("--no-browser", request->no_browser, "only say the address");
+}
+
 void add_cases(CLI::App& app, Command& chosen) {
   app.add_subcommand("cases", "list the bundled cases")->callback([&chosen] {
     chosen = [] {
@@ -95,6 +107,7 @@ void add_commands(CLI::App& app, Command& chosen) {
   add_export(app, chosen);
   add_camera(app, chosen);
   add_report(app, chosen);
+  add_workbench(app, chosen);
   add_cases(app, chosen);
   add_materials(app, chosen);
 }

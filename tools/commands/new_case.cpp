@@ -39,37 +39,64 @@ bool drop_old_figures(std::string& text) {
   return text.size() < before;
 }
 
-}  // namespace
-
-int new_case(const NewRequest& request) {
-  const fs::path folder = fs::path(request.folder).lexically_normal();
-  const std::string name = folder.filename().string();
-  check_name(request.folder, name);
-  const std::string like = find_case(request.like);
-  const forming::Scene scene = forming::read_scene(like, "draft");
-  std::string text = core::read_text(scene.file);
-  while (!text.empty() && text.front() == '#') text.erase(0, text.find('\n') + 1);
-  const std::string old = fmt::format("case = \"{}\"", scene.name);
-  if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), fmt::format("case = \"{}\"", name));
-  const bool had_figures = drop_old_figures(text);
-  const std::string head = fmt::format(
-      "# {0}: begun like the bundled case {1}. Change the paths of the tools, the mass of the gob and the times.\n"
+/// The lines with which a new case begins.
+std::string head_of(const std::string& name, const std::string& origin, const std::string& folder) {
+  return fmt::format(
+      "# {0}: begun {1}. Change the paths of the tools, the mass of the gob and the times.\n"
       "#   parison check {2} --picture {0}.svg    draws it and says weight, capacity and where the plunger stops\n"
       "#   parison run {2} --accuracy draft       runs it; results/{0} has the results\n"
       "# Every key: cases/README.md. Dimensions that several paths share may have names: [dimension] r_body = \"37 "
       "mm\".\n",
-      name, scene.name, request.folder);
-  fs::create_directories(folder);
+      name, origin, folder);
+}
+
+/// The text of a bundled case without its own figures; whether there were some.
+std::string text_like(const forming::Scene& scene, const std::string& name, bool& had_figures) {
+  std::string text = core::read_text(scene.file);
+  while (!text.empty() && text.front() == '#') text.erase(0, text.find('\n') + 1);
+  const std::string old = fmt::format("case = \"{}\"", scene.name);
+  if (const auto at = text.find(old); at != text.npos) text.replace(at, old.size(), fmt::format("case = \"{}\"", name));
+  had_figures = drop_old_figures(text);
+  return text;
+}
+
+/// Copies the files beside a case that a text of it names.
+void copy_named_files(const forming::Scene& scene, const std::string& text, const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(scene.directory)) {
     const fs::path file = entry.path().lexically_relative(scene.directory);
     if (text.find("\"" + file.string() + "\"") == text.npos) continue;
     fs::create_directories((folder / file).parent_path());
     fs::copy_file(entry.path(), folder / file);
   }
-  core::write_text((folder / "case.toml").string(), head + text);
+}
+
+}  // namespace
+
+std::string write_new_case(const NewRequest& request) {
+  const fs::path folder = fs::path(request.folder).lexically_normal();
+  const std::string name = folder.filename().string(), file = (folder / "case.toml").string();
+  check_name(request.folder, name);
+  if (!request.wish.process.empty()) {
+    const auto& [process, weight, capacity, height, finish] = request.wish;
+    const std::string origin = fmt::format("as {}, {}, {} to the rim, {} high", process, weight, capacity, height);
+    const std::string text = head_of(name, origin, request.folder) + container_text(request.wish, name);
+    fs::create_directories(folder);
+    core::write_text(file, text);
+    forming::read_scene(folder.string(), "draft");
+    return file + "\n";
+  }
+  const forming::Scene scene = forming::read_scene(find_case(request.like), "draft");
+  bool had_figures = false;
+  const std::string text = text_like(scene, name, had_figures);
+  fs::create_directories(folder);
+  copy_named_files(scene, text, folder);
+  core::write_text(file, head_of(name, "like the bundled case " + scene.name, request.folder) + text);
   forming::read_scene(folder.string(), "draft");
-  fmt::print("{}\n", (folder / "case.toml").string());
-  if (had_figures) fmt::print("  comments with figures of {} were left out\n", scene.name);
+  return file + "\n" + (had_figures ? fmt::format("  comments with figures of {} were left out\n", scene.name) : "");
+}
+
+int new_case(const NewRequest& request) {
+  fmt::print("{}", write_new_case(request));
   return 0;
 }
 

@@ -67,9 +67,23 @@ void add_check(CLI::App& app, Command& chosen) {
 
 void add_new(CLI::App& app, Command& chosen) {
   const auto request = std::make_shared<NewRequest>();
-  auto* command = add_command(app, "new", "begin a case like a bundled one", chosen, request, new_case);
+  auto* command =
+      add_command(app, "new", "begin a case like a bundled one, or by its process", chosen, request, new_case);
   command->add_option("folder", request->folder, "new folder; its name is that of the case")->required();
-  command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
+  auto* like = command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
+  auto* process = command
+                      ->add_option("--process", request->wish.process,
+                                   "nnpb or press_and_blow: a first gob, blank, plunger and mould of ordinary "
+                                   "proportions for the weight, capacity and height that are given")
+                      ->excludes(like);
+  const auto add = [&](const char* name, std::string& text, const char* help, bool needed) {
+    auto* option = command->add_option(name, text, help)->needs(process);
+    if (needed) process->needs(option);
+  };
+  add("--weight", request->wish.weight, "of the glass, \"180 g\"", true);
+  add("--capacity", request->wish.capacity, "to the rim, \"330 ml\"", true);
+  add("--height", request->wish.height, "of the container, \"220 mm\"", true);
+  add("--finish", request->wish.finish, "outer diameter of the finish [26.6 mm; 62 mm]", false);
 }
 
 void add_cycle(CLI::App& app, Command& chosen) {

@@ -65,11 +65,20 @@ std::string find_case(const std::string& given) {
       given, names.empty() ? none_was_found() : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-std::string bundled_cases_table() {
+std::vector<BundledCase> bundled_cases() {
   const fs::path cases = shared_file("cases");
+  std::vector<BundledCase> found;
+  for (const std::string& name : bundled_names()) {
+    const fs::path picture = cases / name / "pictures/strip.png";
+    found.push_back({name, title(cases / name), fs::exists(picture) ? picture.string() : ""});
+  }
+  return found;
+}
+
+std::string bundled_cases_table() {
   std::string table;
-  for (const std::string& name : bundled_names()) table += fmt::format("{:<20}{}\n", name, title(cases / name));
-  return table.empty() ? none_was_found() + "\n" : table + fmt::format("\nin {}\n", cases.string());
+  for (const BundledCase& one : bundled_cases()) table += fmt::format("{:<20}{}\n", one.name, one.title);
+  return table.empty() ? none_was_found() + "\n" : table + fmt::format("\nin {}\n", shared_file("cases").string());
 }
 
 }  // namespace parison::tools

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace parison::tools {
 
@@ -12,6 +13,12 @@ std::filesystem::path shared_file(const std::string& name);
 /// The path as given where it exists or is more than a name, else that of the bundled case of this name.
 /// A name of neither is refused with the names there are.
 std::string find_case(const std::string& given);
+
+/// A bundled case with the title of its README, and its picture, a path that is empty where there is none.
+struct BundledCase {
+  std::string name, title, picture;
+};
+std::vector<BundledCase> bundled_cases();
 
 /// A line for each bundled case, its name and the title of its README, and their folder.
 std::string bundled_cases_table();

@@ -108,6 +108,21 @@ ProgramOutput output_of_program(std::vector<std::string> words) {
   return output;
 }
 
+void open_in_browser(const std::string& address) {
+  std::vector<std::string> words = {"xdg-open", address};
+  const std::vector<char*> arguments = as_arguments(words);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (fork() != 0) _exit(0);  // what goes on belongs to nobody
+    setsid();
+    const int nowhere = open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+    execvp(arguments[0], arguments.data());
+    _exit(127);
+  }
+  if (child > 0) waitpid(child, nullptr, 0);
+}
+
 int start_self(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<std::string> words = {"parison"};
   words.insert(words.end(), arguments.begin(), arguments.end());

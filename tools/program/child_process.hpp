@@ -32,6 +32,9 @@ struct ProgramOutput {
 /// Runs a program that the shell would find, without a shell between, and waits for its end.
 ProgramOutput output_of_program(std::vector<std::string> words);
 
+/// Opens an address in the browser of the user, who sees nothing where there is none.
+void open_in_browser(const std::string& address);
+
 /// Whether a child has ended.
 bool has_ended(int child);
 

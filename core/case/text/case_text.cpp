@@ -68,10 +68,6 @@ CaseFlaw find_flaw(std::string_view text) {
   return {};
 }
 
-namespace {
-
-constexpr std::size_t line_width = 140;
-
 std::string quoted(const std::string& text) {
   std::string found = "\"";
   for (const char c : text) {
@@ -84,6 +80,10 @@ std::string quoted(const std::string& text) {
   }
   return found + '"';
 }
+
+namespace {
+
+constexpr std::size_t line_width = 140;
 
 std::string key_text(const std::string& key) {
   const auto is_bare = [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_' || c == '-'); };

@@ -35,6 +35,9 @@ std::string numbered_key(CaseFile file, const std::string& key);
 /// written, or of what it is in: both keys, as the begin of a sentence; empty where each counts.
 std::string repeated_key(CaseFile file, const std::vector<std::string>& assignments);
 
+/// A text as TOML has it, in quotes.
+std::string quoted(const std::string& text);
+
 /// The values below a table as TOML that reads back as the same case; comments and layout are its own.
 std::string case_text(const CaseNode& root);
 

@@ -99,16 +99,49 @@ std::vector<std::string> gob_in_later_tools(const Scene& scene) {
   return notes;
 }
 
+namespace {
+
+/// The tools that come after the parison was formed.
+std::vector<Index> later_moulds(const Scene& scene, const ParisonPlan& parison) {
+  std::vector<Index> moulds;
+  const Stage& formed = scene.stages[static_cast<std::size_t>(parison.stage)];
+  for (Index t = 0; t < static_cast<Index>(scene.tools.size()); ++t) {
+    const Index first = first_use(scene, t);
+    if (first >= static_cast<Index>(scene.stages.size()) || first <= parison.stage || uses(formed, t)) continue;
+    if (!scene.stages[static_cast<std::size_t>(first)].cools) moulds.push_back(t);  // else it carries the container
+  }
+  return moulds;
+}
+
+}  // namespace
+
+std::vector<ParisonClearance> parison_clearance(const Scene& scene, const ContainerPlan& plan) {
+  std::vector<ParisonClearance> found;
+  if (!plan.parison) return found;
+  const std::vector<Index> moulds = later_moulds(scene, *plan.parison);
+  if (moulds.empty()) return found;
+  for (const core::Point& x : outside_of(scene, *plan.parison)) {
+    double least = HUGE_VAL;
+    for (const Index t : moulds) {
+      const Tool& mould = scene.tools[static_cast<std::size_t>(t)];
+      const core::Point own = x - mould.position * core::axis_direction();
+      const double distance = core::distance(mould.profile, own);
+      least = std::min(least, core::contains(mould.profile, own) ? -distance : distance);
+    }
+    found.push_back({x, least});
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.at[1] < b.at[1]; });
+  return found;
+}
+
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan) {
   std::vector<std::string> notes;
   if (!plan.parison) return notes;
   const std::vector<core::Point> surface = outside_of(scene, *plan.parison);
   const Stage& formed = scene.stages[static_cast<std::size_t>(plan.parison->stage)];
-  for (Index t = 0; t < static_cast<Index>(scene.tools.size()); ++t) {
+  for (const Index t : later_moulds(scene, *plan.parison)) {
     const Tool& mould = scene.tools[static_cast<std::size_t>(t)];
     const Index first = first_use(scene, t);
-    if (first >= static_cast<Index>(scene.stages.size()) || first <= plan.parison->stage || uses(formed, t)) continue;
-    if (scene.stages[static_cast<std::size_t>(first)].cools) continue;  // it carries the container
     if (const auto [depth, at] = depth_in(mould, surface); depth > told_from(scene))
       notes.push_back(fmt::format(
           "the parison as stage \"{}\" {} it is too large for \"{}\" of stage \"{}\": it would reach {:.3g} mm "

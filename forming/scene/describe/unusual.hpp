@@ -33,6 +33,15 @@ std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan&
 /// how much.
 std::vector<std::string> parison_too_large(const Scene& scene, const ContainerPlan& plan);
 
+/// How far the outside of the parison is from the moulds of later stages.
+struct ParisonClearance {
+  core::Point at;    ///< of the outside of the parison, m
+  double clearance;  ///< to the nearest of these moulds, m; negative inside one of them
+};
+
+/// That of places over its height, in order along the axis; empty without a parison or such a mould.
+std::vector<ParisonClearance> parison_clearance(const Scene& scene, const ContainerPlan& plan);
+
 /// A tool that comes in a later stage, before anything has formed the glass, stands in the gob: which, where and how
 /// deep.
 std::vector<std::string> gob_in_later_tools(const Scene& scene);

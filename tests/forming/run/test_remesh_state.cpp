@@ -145,7 +145,8 @@ name = "base"
 friction = "slip"
 boundary = [
   { name = "top", condition = "contact", path = "(22, 0) (0, 0) mm" },
-  { name = "rest", condition = "insulated", path = "(0, -4) (22, -4) (22, 0) mm" },
+  { name = "axis", condition = "symmetry", path = "(0, -4) mm" },
+  { name = "rest", condition = "insulated", path = "(22, -4) (22, 0) mm" },
 ]
 [[tool]]
 name = "wall"

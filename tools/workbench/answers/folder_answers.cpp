@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "tools/commands/new_case.hpp"
+#include "tools/program/bundled_cases.hpp"
+#include "tools/workbench/answers/workbench_state.hpp"
+
+namespace parison::tools {
+namespace {
+
+/// The first so many names.
+void add_names(const std::string& key, const std::vector<std::string>& names, core::JsonWriter& json) {
+  constexpr std::size_t most = 200;
+  json.open_list(key);
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) json.add("", names[i]);
+  json.close();
+}
+
+}  // namespace
+
+void add_start(WorkbenchState& state, const Asked&, core::JsonWriter& json) {
+  json.add("folder", state.folder.path());
+  json.open_list("bundled");
+  for (const BundledCase& one : bundled_cases()) {
+    json.open_object("");
+    json.add("name", one.name);
+    json.add("title", one.title);
+    json.add("picture", !one.picture.empty());
+    json.close();
+  }
+  json.close();
+  const FolderContent content = state.folder.content();
+  add_names("cases", content.cases, json);
+  add_names("results", content.results, json);
+}
+
+void make_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  NewRequest request;
+  const std::string name = asked.text_of("name");
+  request.folder = state.folder.new_folder(name);
+  request.like = asked.text_of("like");
+  request.wish = {asked.text_of("process"), asked.text_of("weight"), asked.text_of("capacity"), asked.text_of("height"),
+                  asked.text_of("finish")};
+  const std::lock_guard<std::mutex> lock(state.reading);
+  write_new_case(request);
+  json.add("case", name + "/case.toml");
+}
+
+void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  const OpenCase& one = state.open(asked.text_of("case"));
+  json.add("results", state.runs.start(one.file(), asked.text_of("accuracy")));
+}
+
+void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  const OpenCase& one = state.open(asked.text_of("case"));
+  std::vector<std::string> changes;
+  if (const Asked* set = asked.find("set"))
+    for (const Asked& item : set->items) changes.push_back(item.text);
+  json.add("results", state.runs.start_what_if(one.file(), asked.text_of("accuracy"), changes));
+}
+
+void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
+  state.runs.stop(asked.text_of("results"));
+}
+
+void resume_run(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
+  state.runs.resume(asked.text_of("results"));
+}
+
+void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
+  const OpenCase& one = state.open(asked.text_of("case"));
+  state.sketch.start(one.file(), one.version());
+}
+
+void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  add_finished_wall(state.folder.existing(asked.text_of("results")), json);
+}
+
+}  // namespace parison::tools

@@ -1,0 +1,41 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+namespace parison::tools {
+
+/// A case file as the page has read it, with what it was before; the file itself is the truth.
+class OpenCase {
+ public:
+  explicit OpenCase(std::string file);
+
+  const std::string& file() const { return file_; }
+  const std::string& text() const { return text_; }
+  /// Rises with each change of the text.
+  long version() const { return version_; }
+  std::size_t undoable() const { return before_.size(); }
+  std::size_t redoable() const { return after_.size(); }
+
+  /// Takes over what another program has written.
+  void look();
+  /// Replaces values as core::override_value does, in place.
+  void set(const std::vector<std::string>& assignments);
+  /// Replaces the whole text.
+  void replace(const std::string& text);
+  void undo();
+  void redo();
+
+ private:
+  void keep(const std::string& text);
+  void write(const std::string& text);
+
+  std::string file_, text_;
+  std::vector<std::string> before_, after_;
+  long version_ = 1;
+};
+
+/// Replaces a file of the user atomically, with the rights that it has; a reader sees the old text or the new one.
+void write_users_file(const std::string& file, const std::string& text);
+
+}  // namespace parison::tools

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/workbench/folder/left_files.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "core/case/number.hpp"
+
+namespace parison::tools {
+
+namespace fs = std::filesystem;
+
+std::string passing_name(const std::string& begin, const std::string& end) {
+  return fmt::format("{}{}_{}", begin, getpid(), end);
+}
+
+void remove_left_files(const std::string& folder, const std::string& begin) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.compare(0, begin.size(), begin) != 0) continue;
+    const std::string process = name.substr(begin.size(), name.find('_', begin.size()) - begin.size());
+    std::error_code ignored;
+    if (core::parse_number<int>(process) && !fs::exists("/proc/" + process)) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+}  // namespace parison::tools

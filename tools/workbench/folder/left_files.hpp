@@ -1,0 +1,13 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+namespace parison::tools {
+
+/// The name of something that is there only while this process needs it: `begin`, its id, `_`, `end`.
+std::string passing_name(const std::string& begin, const std::string& end);
+
+/// Removes from a folder what has such a name of a process that is no more, as one that was killed leaves it.
+void remove_left_files(const std::string& folder, const std::string& begin);
+
+}  // namespace parison::tools

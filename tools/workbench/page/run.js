@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs of the case, and the live report of a result.
+
+import { ask, tryAsk } from "./api.js";
+import { element, shown } from "./dom.js";
+import { model, news, on, tell } from "./model.js";
+import { word } from "./words.js";
+
+const accuracies = { "draft coarser 2": "sketchAccuracy", draft: "draft", standard: "standard", fine: "fine" };
+
+/** The results of this case in the folder, newest first. */
+async function ownResults() {
+  const start = await ask("start"), own = model.name.replace(/\/?case\.toml$/, "").split("/").pop() || start.folder.split("/").pop();
+  const isOwn = (name) => new RegExp(`(^|/)(what_if_)?${own.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(_\\d+)?$`).test(name);
+  return start.results.filter(isOwn);
+}
+
+function progress(run) {
+  const longest = model.check && model.check.stages ? model.check.stages.reduce((sum, one) => sum + one.duration_s, 0) : NaN;
+  const at = run.time_s || 0;
+  return [element("progress", { max: longest || 1, value: run.state === "completed" ? longest || 1 : at, "aria-label": word("run") }),
+    element("p", { class: "number" }, run.time_s ? word("time", shown(at, 3), shown(longest, 2), run.stage || "–") : "")];
+}
+
+export function runPart(openResult) {
+  const select = element("select", { id: "accuracy" }, ...Object.entries(accuracies).map(([value, label]) => element("option", { value, selected: value === "draft" }, word(label))));
+  const state = element("div", { id: "run-state", role: "status" });
+  const list = element("ul", { class: "list" });
+  const act = async (question) => {
+    await tryAsk(question, { results: model.results });
+    await news();
+  };
+  const begin = async () => {
+    const made = await tryAsk("run", { case: model.name, accuracy: select.value });
+    if (!made) return;
+    follow(made.results);
+    await news();
+  };
+  const changes = element("textarea", { id: "changes", rows: 3, spellcheck: "false", "aria-label": word("changes"), placeholder: "stage.reheat.duration=1.9 s\ntool.blank.temperature=440 degC" });
+  const compare = async () => {
+    const set = changes.value.split("\n").map((line) => line.trim()).filter((line) => line);
+    const made = set.length && (await tryAsk("what-if", { case: model.name, accuracy: select.value, set }));
+    if (made) follow(made.results);
+    await news();
+  };
+  const follow = (results) => {
+    model.results = results;
+    model.run = null;
+    tell("results");
+  };
+  const show = () => {
+    const run = model.run;
+    if (!run) return state.replaceChildren(element("p", { class: "soft" }, word("noRun")));
+    const button = (name, question, main) => element("button", { id: `run-${question}`, class: main ? "main" : null, onclick: () => act(question) }, word(name));
+    const resumable = !run.ours && ["stopped", "ended", "failed"].includes(run.state) && run.time_s > 0;
+    state.replaceChildren(...[element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
+      element("div", { class: "bar" }, run.ours ? button("stopRun", "stop") : null, resumable ? button("resumeRun", "resume", true) : null,
+        run.time_s || run.study ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
+      run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null].filter((one) => one));
+  };
+  let seen = "",
+    caseName = null;
+  on("run", () => {
+    const now = JSON.stringify([model.run, model.version]);
+    if (now !== seen) show();
+    if (!seen || JSON.parse(seen)[0]?.state !== model.run.state) listResults();
+    seen = now;
+  });
+  const listResults = async () => {
+    const names = await ownResults().catch(() => []);
+    if (!model.results && names.length) follow(names[0]);
+    list.replaceChildren(...names.map((name) => element("li", {}, element("button", { class: "link", onclick: () => (follow(name), news()) }, name))));
+  };
+  on("case", () => {
+    if (model.name === caseName) return;
+    caseName = model.name;
+    model.results = "";
+    model.run = null;
+    show();
+    listResults();
+  });
+  show();
+  return element("div", { class: "run" }, element("div", { class: "bar" }, element("label", {}, element("span", {}, word("accuracy")), select), element("button", { class: "main", id: "run-start", onclick: begin }, word("startRun"))),
+    state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
+    element("h3", {}, word("yourResults")), list);
+}
+
+export function resultPart() {
+  const empty = element("p", { class: "soft" }, word("noResult"));
+  const panel = element("div", { class: "result" }, empty);
+  let shownName = "";
+  on("run", () => {
+    if (!model.run || !(model.run.time_s || model.run.study) || shownName === model.results) return;
+    shownName = model.results;
+    const address = `result/${encodeURIComponent(model.results)}/`;
+    panel.replaceChildren(element("p", {}, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results)), element("iframe", { src: address, title: word("result") }));
+  });
+  return panel;
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/workbench/runs/sketch.hpp"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/io/files.hpp"
+#include "core/io/json_read.hpp"
+#include "core/process/run_error.hpp"
+#include "tools/program/child_process.hpp"
+#include "tools/report/data/result_folder.hpp"
+#include "tools/workbench/folder/left_files.hpp"
+
+namespace parison::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string prefix = "parison_workbench_";
+
+/// A new folder, in memory where the system has such a place.
+std::string private_folder() {
+  const fs::path memory("/dev/shm"), place = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
+  remove_left_files(place.string(), prefix);
+  std::string name = (place / passing_name(prefix, "XXXXXX")).string();
+  if (!mkdtemp(name.data())) throw core::RunError(name + ": no folder can be made for sketches");
+  return name;
+}
+
+}  // namespace
+
+Sketch::Sketch() : folder_(private_folder()) {}
+
+Sketch::~Sketch() {
+  end_child();
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Sketch::end_child() {
+  if (child_ == 0) return;
+  kill(child_, SIGKILL);
+  waitpid(child_, nullptr, 0);
+  child_ = 0;
+}
+
+void Sketch::start(const std::string& case_file, long version) {
+  end_child();
+  std::error_code ignored;
+  fs::remove_all(fs::path(folder_) / std::to_string(count_), ignored);
+  const std::string output = folder_ + "/" + std::to_string(++count_);
+  version_ = version;
+  child_ = start_self({"run", case_file, "--accuracy", "draft coarser 2", "--output", output, "--set",
+                       "output.interval=\"1 h\"", "--later-counts", "--keep-going"},
+                      output + ".log");
+}
+
+void Sketch::add_state(core::JsonWriter& json) {
+  if (child_ != 0 && has_ended(child_)) child_ = 0;
+  const std::string output = folder_ + "/" + std::to_string(count_);
+  json.add("version", version_);
+  json.add("running", child_ != 0);
+  if (child_ != 0 || count_ == 0) return;
+  const auto summary = core::read_json_file(output + "/summary.json");
+  if (summary && summary->flag_of("completed")) {
+    add_finished_wall(output, json);
+  } else {
+    const std::string log = fs::exists(output + ".log") ? core::read_text(output + ".log") : "";
+    const auto at = log.find("parison: ");
+    json.add("problem", summary ? summary->text_of("reason") : at == log.npos ? log : log.substr(at + 9));
+  }
+}
+
+void add_finished_wall(const std::string& folder, core::JsonWriter& json) {
+  const ResultTable contour = read_table(folder + "/contour.csv");
+  const auto *loop = contour.column("loop"), *r = contour.column("r_mm"), *z = contour.column("z_mm");
+  if (!loop || !r || !z) return;
+  json.open_list("outlines_mm");
+  for (std::size_t i = 0; i < r->size(); ++i) {
+    if (i == 0 || (*loop)[i] != (*loop)[i - 1]) {
+      if (i > 0) json.close();
+      json.open_list("");
+    }
+    json.add("", (*r)[i]);
+    json.add("", (*z)[i]);
+  }
+  if (!r->empty()) json.close();
+  json.close();
+  const auto summary = core::read_json_file(folder + "/summary.json");
+  const auto* quantities = summary ? summary->find("quantities") : nullptr;
+  for (const char* name : {"thickness_min", "thickness_mean"})
+    if (const auto* one = quantities ? quantities->find(name) : nullptr)
+      json.add(std::string(name) + "_mm", one->number_of("value"));
+}
+
+}  // namespace parison::tools
