@@ -3,9 +3,9 @@
 #include <string>
 
 #include "tools/commands/command_options.hpp"
-#include "tools/commands/new_case.hpp"
 #include "tools/commands/run/run_command.hpp"
 #include "tools/commands/study/cycle.hpp"
+#include "tools/new_container/new_case.hpp"
 
 namespace parison::tools {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tools/commands/new_case.hpp"
+#include "tools/new_container/new_case.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
 

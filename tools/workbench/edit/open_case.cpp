@@ -47,7 +47,7 @@ void write_users_file(const std::string& file, const std::string& text) {
 }
 
 OpenCase::OpenCase(std::string file) : file_(std::move(file)), text_(text_of(file_)) {
-  remove_left_files(fs::path(file_).parent_path().string(), passing);
+  remove_left(Left::file, fs::path(file_).parent_path().string(), passing);
 }
 
 void OpenCase::keep(const std::string& text) {

@@ -16,14 +16,16 @@ std::string passing_name(const std::string& begin, const std::string& end) {
   return fmt::format("{}{}_{}", begin, getpid(), end);
 }
 
-void remove_left_files(const std::string& folder, const std::string& begin) {
+void remove_left(Left what, const std::string& folder, const std::string& begin) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     if (name.compare(0, begin.size(), begin) != 0) continue;
     const std::string process = name.substr(begin.size(), name.find('_', begin.size()) - begin.size());
     std::error_code ignored;
-    if (core::parse_number<int>(process) && !fs::exists("/proc/" + process)) fs::remove_all(entry.path(), ignored);
+    if (!core::parse_number<int>(process) || fs::exists("/proc/" + process) || entry.is_symlink(ignored)) continue;
+    if (what == Left::file && entry.is_regular_file(ignored)) fs::remove(entry.path(), ignored);
+    if (what == Left::folder && entry.is_directory(ignored)) fs::remove_all(entry.path(), ignored);
   }
 }
 

@@ -7,7 +7,10 @@ namespace parison::tools {
 /// The name of something that is there only while this process needs it: `begin`, its id, `_`, `end`.
 std::string passing_name(const std::string& begin, const std::string& end);
 
-/// Removes from a folder what has such a name of a process that is no more, as one that was killed leaves it.
-void remove_left_files(const std::string& folder, const std::string& begin);
+/// What a killed process leaves: single files among those of the user, whole folders in a place for passing ones.
+enum class Left { file, folder };
+
+/// Removes from a folder what has such a name of a process that is no more.
+void remove_left(Left what, const std::string& folder, const std::string& begin);
 
 }  // namespace parison::tools

@@ -8,6 +8,9 @@ import { word } from "./words.js";
 
 const accuracies = { "draft coarser 2": "sketchAccuracy", draft: "draft", standard: "standard", fine: "fine" };
 
+/** Whether a run has something to look at: a what-if has it when it is through. */
+const hasResult = (run) => run.time_s || (run.study && run.state === "completed");
+
 /** The results of this case in the folder, newest first. */
 async function ownResults() {
   const start = await ask("start"), own = model.name.replace(/\/?case\.toml$/, "").split("/").pop() || start.folder.split("/").pop();
@@ -55,7 +58,7 @@ export function runPart(openResult) {
     const resumable = !run.ours && ["stopped", "ended", "failed"].includes(run.state) && run.time_s > 0;
     state.replaceChildren(...[element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
       element("div", { class: "bar" }, run.ours ? button("stopRun", "stop") : null, resumable ? button("resumeRun", "resume", true) : null,
-        run.time_s || run.study ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
+        hasResult(run) ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
       run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null].filter((one) => one));
   };
   let seen = "",
@@ -90,7 +93,7 @@ export function resultPart() {
   const panel = element("div", { class: "result" }, empty);
   let shownName = "";
   on("run", () => {
-    if (!model.run || !(model.run.time_s || model.run.study) || shownName === model.results) return;
+    if (!model.run || !hasResult(model.run) || shownName === model.results) return;
     shownName = model.results;
     const address = `result/${encodeURIComponent(model.results)}/`;
     panel.replaceChildren(element("p", {}, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results)), element("iframe", { src: address, title: word("result") }));

@@ -25,7 +25,7 @@ const std::string prefix = "parison_workbench_";
 /// A new folder, in memory where the system has such a place.
 std::string private_folder() {
   const fs::path memory("/dev/shm"), place = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
-  remove_left_files(place.string(), prefix);
+  remove_left(Left::folder, place.string(), prefix);
   std::string name = (place / passing_name(prefix, "XXXXXX")).string();
   if (!mkdtemp(name.data())) throw core::RunError(name + ": no folder can be made for sketches");
   return name;

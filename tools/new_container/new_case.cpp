@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/commands/new_case.hpp"
+#include "tools/new_container/new_case.hpp"
 
 #include <fmt/format.h>
 
