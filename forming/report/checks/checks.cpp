@@ -26,7 +26,7 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   constexpr double millilitre = 1e-6;
   const CoolingSeen& seen = facts.diagnostics.cooling;  // a container that has cooled since is judged as it was then
   const bool cooled = seen.capacity > 0;
-  // As glass that shrinks on its plunger sinks at the rim, the drawn volume is taken up to there.
+  // Glass that shrinks sinks at its rim, and a little more of it stands higher: that is judged to the drawn rim.
   const double capacity = cooled ? seen.capacity : formed->to_drawn_rim.value_or(*formed->capacity);
   // What the glass lost of its volume in the mould, the capacity has gained.
   const double volume = cooled ? seen.volume : core::volume(state.glass.mesh, scene.geometry);

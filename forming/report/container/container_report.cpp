@@ -118,8 +118,9 @@ std::optional<ContainerReport> container_report(const Scene& scene, const State&
   if (hollow) {
     report.rim = hollow->rim;
     report.capacity = hollow->capacity;
-    const double sunk = plan->rim ? std::max(0.0, up * (*plan->rim - hollow->rim)) : 0;  // the mouth is as wide there
-    if (const auto below = hollow->to_depth(sunk)) report.to_drawn_rim = 2 * hollow->capacity - *below;
+    const double sunk = plan->rim ? up * (*plan->rim - hollow->rim) : 0;
+    if (const auto below = hollow->to_depth(std::abs(sunk)))  // above the rim the mouth is as wide as below it
+      report.to_drawn_rim = sunk > 0 ? 2 * hollow->capacity - *below : *below;
     if (const auto level = scene.output.fill_level) report.filled = hollow->to_depth(*level);
   } else {
     report.rim = highest_place(surface, up);

@@ -41,7 +41,7 @@ struct ContainerReport {
   OuterSize size;                                ///< at the end of the run
   std::optional<double> capacity;                ///< to the rim, m3; none where the glass holds nothing
   std::string absent;                            ///< why there is no capacity, a sentence; empty with one
-  std::optional<double> to_drawn_rim;            ///< m3, as if the rim had not sunk below that of the drawings
+  std::optional<double> to_drawn_rim;            ///< m3, as if the rim were where the drawings have it
   std::optional<double> filled;                  ///< to the fill level of the case, m3
   std::optional<double> plunger_stop;            ///< offset of the plunger of the press, where a force drives it, m
   std::optional<ColdContainer> cold;

@@ -69,6 +69,21 @@ TEST(Unusual, a_force_in_newtons_that_were_meant_as_kilonewtons_is_told) {
       << notes;
 }
 
+TEST(Unusual, gravity_that_is_not_turned_over_with_the_parison_is_told) {
+  const std::vector<std::string> forgotten{"stage.reheat.gravity=-9.81 m/s2", "stage.run.gravity=-9.81 m/s2",
+                                           "stage.blow.gravity=-9.81 m/s2"};
+  for (const char* name : {"bottle", "jar"}) {
+    std::vector<std::string> overrides = forgotten;
+    if (name == std::string("jar")) overrides.push_back("stage.hold.gravity=-9.81 m/s2");
+    const std::string notes = notes_on(name, overrides);
+    EXPECT_NE(notes.find("gravity acts in stage \"blow\" as in"), notes.npos) << name << " says: " << notes;
+  }
+}
+
+TEST(Unusual, the_way_to_the_cold_container_is_not_told_of) {
+  for (const char* name : {"jar", "bottle"}) EXPECT_EQ(notes_on(name, {"cooling=standard"}), "") << name;
+}
+
 TEST(Unusual, a_blow_of_seven_bar_is_told) {
   expect_note("jar", "stage.blow.pressure.inner=7 bar", "stage \"blow\" blows with 7 bar on \"inner\"; usual are 0.3");
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../bundled_scene.hpp"
 #include "../scene_text.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/run/folder_run.hpp"
@@ -43,6 +44,13 @@ double error(const Contact& contact) {
   std::printf("h %g, %g s, tool %g W/m/K, jump %g K: heat off by %.1e\n", contact.h, contact.time,
               contact.tool_conductivity, contact.jump, found);
   return std::abs(found);
+}
+
+TEST(ThermalSkin, the_way_to_the_cold_container_leaves_the_first_meshes_as_they_are) {
+  const State formed = initial_state(bundled("nnpb", "draft")),
+              on = initial_state(bundled("nnpb", "draft", {"cooling=standard"}));
+  EXPECT_EQ(on.glass.mesh.nodes, formed.glass.mesh.nodes);
+  for (std::size_t t = 0; t < formed.tools.size(); ++t) EXPECT_EQ(on.tools[t].mesh.nodes, formed.tools[t].mesh.nodes);
 }
 
 TEST(ThermalSkin, in_a_tool_that_hardly_conducts_is_resolved) {
