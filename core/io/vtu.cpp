@@ -21,6 +21,7 @@
 #include <cassert>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 #include "core/io/files.hpp"
 #include "core/process/run_error.hpp"
@@ -46,44 +47,89 @@ vtkNew<vtkFloatArray> array(const std::string& name, int components, vtkIdType t
   return values;
 }
 
-void set_points(const Mesh& mesh, const Point& displacement, vtkUnstructuredGrid& grid) {
-  const auto values = array("Points", vtk_dim, mesh.node_count());
-  for (Index i = 0; i < mesh.node_count(); ++i)
-    for (int k = 0; k < dim; ++k) values->SetTypedComponent(i, k, single(1e3 * (mesh.nodes[i][k] + displacement[k])));
+/// A mesh as VTK takes it.
+struct GridView {
+  int components;       ///< of a node, 2 or 3
+  const double* nodes;  ///< m
+  Index node_count;
+  VTKCellType type;
+  std::vector<int> order;  ///< of VTK's nodes of a cell, which of ours each is
+  const Index* cells;
+  Index cell_count;
+};
+
+GridView view_of(const Mesh& mesh) {
+  return {dim,
+          mesh.nodes.front().data(),
+          mesh.node_count(),
+          VTK_QUADRATIC_TRIANGLE,
+          {0, 1, 2, 3, 4, 5},
+          mesh.cells().front().data(),
+          mesh.cell_count()};
+}
+
+GridView view_of(const HexMesh& mesh) {
+  return {vtk_dim,
+          mesh.nodes.front().data(),
+          mesh.node_count(),
+          VTK_TRIQUADRATIC_HEXAHEDRON,
+          {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22, 13},
+          mesh.cells.front().data(),
+          mesh.cell_count()};
+}
+
+GridView view_of(const PrismMesh& mesh) {
+  return {vtk_dim,
+          mesh.nodes.front().data(),
+          mesh.node_count(),
+          VTK_BIQUADRATIC_QUADRATIC_WEDGE,
+          {0, 1, 2, 12, 13, 14, 3, 4, 5, 15, 16, 17, 6, 7, 8, 9, 10, 11},
+          mesh.cells.front().data(),
+          mesh.cell_count()};
+}
+
+void set_points(const GridView& mesh, const Point& displacement, vtkUnstructuredGrid& grid) {
+  const auto values = array("Points", vtk_dim, mesh.node_count);
+  const int first = mesh.components == dim ? 0 : vtk_dim - dim;  // the displacement's last part is along the axis
+  for (Index i = 0; i < mesh.node_count; ++i)
+    for (int k = 0; k < mesh.components; ++k) {
+      const double moved = k >= first ? displacement[k - first] : 0;
+      values->SetTypedComponent(i, k, single(1e3 * (mesh.nodes[mesh.components * i + k] + moved)));
+    }
   vtkNew<vtkPoints> points;
   points->SetData(values);
   grid.SetPoints(points);
 }
 
-void set_cells(const Mesh& mesh, vtkUnstructuredGrid& grid) {
-  constexpr int corners = 6;
+void set_cells(const GridView& mesh, vtkUnstructuredGrid& grid) {
+  const auto corners = static_cast<Index>(mesh.order.size());
   vtkNew<vtkTypeInt32Array> starts, nodes;
-  starts->SetNumberOfValues(mesh.cell_count() + 1);
-  nodes->SetNumberOfValues(corners * mesh.cell_count());
-  for (Index c = 0; c <= mesh.cell_count(); ++c) starts->SetValue(c, corners * c);
-  for (Index c = 0; c < mesh.cell_count(); ++c)
-    std::copy(mesh.cells()[c].begin(), mesh.cells()[c].end(), nodes->GetPointer(corners * c));
+  starts->SetNumberOfValues(mesh.cell_count + 1);
+  nodes->SetNumberOfValues(corners * mesh.cell_count);
+  for (Index c = 0; c <= mesh.cell_count; ++c) starts->SetValue(c, corners * c);
+  for (Index c = 0; c < mesh.cell_count; ++c)
+    for (Index i = 0; i < corners; ++i) nodes->SetValue(corners * c + i, mesh.cells[corners * c + mesh.order[i]]);
   vtkNew<vtkCellArray> cells;
   cells->SetData(starts, nodes);
-  grid.SetCells(VTK_QUADRATIC_TRIANGLE, cells);
+  grid.SetCells(mesh.type, cells);
 }
 
-void add_nodal(const Mesh& mesh, const NodalField& field, vtkUnstructuredGrid& grid) {
-  const bool is_vector = field.values.size() != mesh.node_count();
-  assert(!is_vector || field.values.size() == dim * mesh.node_count());
-  const int components = is_vector ? dim : 1;
-  const auto values = array(field.name, is_vector ? vtk_dim : 1, mesh.node_count());
-  for (Index i = 0; i < mesh.node_count(); ++i)
+void add_nodal(const GridView& mesh, const NodalField& field, vtkUnstructuredGrid& grid) {
+  const bool is_vector = field.values.size() != mesh.node_count;
+  assert(!is_vector || field.values.size() == mesh.components * mesh.node_count);
+  const int components = is_vector ? mesh.components : 1;
+  const auto values = array(field.name, is_vector ? vtk_dim : 1, mesh.node_count);
+  for (Index i = 0; i < mesh.node_count; ++i)
     for (int k = 0; k < components; ++k) values->SetTypedComponent(i, k, single(field.values[components * i + k]));
   grid.GetPointData()->AddArray(values);
 }
 
-void add_fields(const Mesh& mesh, const VtuFields& fields, vtkUnstructuredGrid& grid) {
+void add_fields(const GridView& mesh, const VtuFields& fields, vtkUnstructuredGrid& grid) {
   for (const NodalField& field : fields.nodal) add_nodal(mesh, field, grid);
-  if (!fields.nodal.empty() && fields.nodal[0].values.size() == mesh.node_count())
+  if (!fields.nodal.empty() && fields.nodal[0].values.size() == mesh.node_count)
     grid.GetPointData()->SetActiveScalars(fields.nodal[0].name.c_str());
   for (const CellConstant& field : fields.cell) {
-    const auto values = array(field.name, 1, mesh.cell_count());
+    const auto values = array(field.name, 1, mesh.cell_count);
     values->Fill(single(field.value));
     grid.GetCellData()->AddArray(values);
   }
@@ -102,7 +148,7 @@ void add_fields(const Mesh& mesh, const VtuFields& fields, vtkUnstructuredGrid& 
 namespace {
 
 /// The text of a VTU file; empty where VTK cannot make it.
-std::string vtu_text(const Mesh& mesh, const VtuFields& fields) {
+std::string vtu_text(const GridView& mesh, const VtuFields& fields) {
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(mesh, fields.displacement, *grid);
   set_cells(mesh, *grid);
@@ -118,9 +164,7 @@ std::string vtu_text(const Mesh& mesh, const VtuFields& fields) {
   return writer->Write() == 1 ? writer->GetOutputString() : "";
 }
 
-}  // namespace
-
-void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields) {
+void write_grid(const std::string& path, const GridView& mesh, const VtuFields& fields) {
   // VTK takes threads for the ranges of arrays, which cost more than they gain. The choice is one of the whole process:
   // one writer at a time, and the choice of before afterwards.
   static std::mutex mutex;
@@ -131,6 +175,20 @@ void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& field
   }
   if (text.empty()) throw RunError(path + ": cannot be made");
   replace_file(path, text, Reach::system);
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields) {
+  write_grid(path, view_of(mesh), fields);
+}
+
+void write_vtu(const std::string& path, const HexMesh& mesh, const VtuFields& fields) {
+  write_grid(path, view_of(mesh), fields);
+}
+
+void write_vtu(const std::string& path, const PrismMesh& mesh, const VtuFields& fields) {
+  write_grid(path, view_of(mesh), fields);
 }
 
 namespace {

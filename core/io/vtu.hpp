@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
+#include "core/solid/hex_mesh.hpp"
+#include "core/solid/prism_mesh.hpp"
 
 namespace parison::core {
 
-/// Values at the nodes of a mesh: one a node, or core::dim a node for a vector (written with three).
+/// Values at the nodes of a mesh: one a node, or one for each coordinate for a vector (written with three).
 struct NodalField {
   std::string name;
   Eigen::VectorXd values;
@@ -28,6 +30,9 @@ struct VtuFields {
 /// Writes quadratic triangles to a .vtu file: binary, values in single precision, points in mm, which the file says in
 /// its field data LengthUnit.
 void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields);
+/// The same of meshes in space: hexahedra with 27 nodes, prisms with 18.
+void write_vtu(const std::string& path, const HexMesh& mesh, const VtuFields& fields);
+void write_vtu(const std::string& path, const PrismMesh& mesh, const VtuFields& fields);
 
 /// A ParaView collection (.pvd): the files of a time series. It is written whole at each addition, so that it can be
 /// opened during a run.

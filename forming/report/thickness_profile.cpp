@@ -10,9 +10,9 @@
 #include "core/io/files.hpp"
 #include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
-#include "forming/report/wall/surface_chain.hpp"
 #include "forming/report/wall/wall_marks.hpp"
 #include "forming/state/sample.hpp"
+#include "remesh/wall/surface_chain.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -32,7 +32,7 @@ std::vector<ChainEdge> walk_edges(const core::Mesh& mesh, const std::vector<bool
   std::vector<ChainEdge> chain;
   double arc = 0;
   for (Index begin = 0; begin < static_cast<Index>(mesh.boundary_edges().size());) {
-    const Index end = loop_end(mesh, begin), count = end - begin;
+    const Index end = remesh::loop_end(mesh, begin), count = end - begin;
     Index first = begin;
     for (Index edge = begin; edge < end; ++edge)
       if (wanted[edge] && !wanted[edge > begin ? edge - 1 : end - 1]) {
@@ -129,12 +129,13 @@ double area_of(const core::Mesh& mesh, core::Geometry geometry, const std::vecto
 }
 
 /// Why marked rows make no wall; empty where they do.
-std::string objection(const core::Mesh& mesh, core::Geometry geometry, const WallSides& sides,
+std::string objection(const core::Mesh& mesh, core::Geometry geometry, const remesh::WallSides& sides,
                       const std::vector<Index>& nodes, const std::vector<ThicknessRow>& rows) {
   double area = 0;
   for (const ThicknessRow& row : rows) area += row.is_wall() ? row.area : 0;
   const double whole =
-      area_of(mesh, geometry, edges_of(sides, {SurfacePart::outer, SurfacePart::inner, SurfacePart::rim}));
+      area_of(mesh, geometry,
+              edges_of(sides, {remesh::SurfacePart::outer, remesh::SurfacePart::inner, remesh::SurfacePart::rim}));
   const double share = (sides.is_mirrored ? 1 : 2) * area / whole;
   const double length = wall_length(mesh, nodes, rows);
   if (share < least_share)
@@ -165,7 +166,7 @@ std::vector<bool> whole_surface(const core::Mesh& mesh) {
 }
 
 /// Rays that neither start nor end on a fixed boundary.
-std::vector<Ray> rays_between_free_sides(const core::Mesh& mesh, std::vector<Ray> rays) {
+std::vector<remesh::Ray> rays_between_free_sides(const core::Mesh& mesh, std::vector<remesh::Ray> rays) {
   const std::vector<bool> fixed = core::boundaries_of_kind(mesh, BoundaryKind::fixed);
   std::vector<bool> is_free(mesh.nodes.size(), false);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
@@ -176,12 +177,13 @@ std::vector<Ray> rays_between_free_sides(const core::Mesh& mesh, std::vector<Ray
   return rays;
 }
 
-ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry, const std::vector<Ray>& rays) {
+ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry,
+                                 const std::vector<remesh::Ray>& rays) {
   ThicknessProfile profile;
   profile.rays = rays;
-  const WallSides& sides = profile.sides = wall_sides(mesh, geometry, rays);
+  const remesh::WallSides& sides = profile.sides = remesh::wall_sides(mesh, geometry, rays);
   profile.no_wall = sides.no_wall;
-  std::vector<bool> wanted = edges_of(sides, {SurfacePart::outer, SurfacePart::rim});
+  std::vector<bool> wanted = edges_of(sides, {remesh::SurfacePart::outer, remesh::SurfacePart::rim});
   std::vector<Index>& nodes = profile.nodes;
   if (profile.no_wall.empty()) {
     profile.rows = make_rows(mesh, geometry, wanted, nodes);
@@ -190,7 +192,7 @@ ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry
   }
   if (!profile.no_wall.empty()) {
     profile.rows = make_rows(mesh, geometry, wanted = whole_surface(mesh), nodes);
-    profile.sides.part.assign(mesh.boundary_edges().size(), SurfacePart::none);
+    profile.sides.part.assign(mesh.boundary_edges().size(), remesh::SurfacePart::none);
   }
   for (std::size_t edge = 0; edge < wanted.size(); ++edge)
     if (wanted[edge]) profile.outer_edges.push_back(static_cast<Index>(edge));
@@ -206,7 +208,7 @@ ThicknessProfile profile_by_rays(const core::Mesh& mesh, core::Geometry geometry
 }  // namespace
 
 ThicknessProfile thickness_profile(const core::Mesh& mesh, core::Geometry geometry) {
-  const std::vector<Ray> rays = surface_rays(mesh, geometry);
+  const std::vector<remesh::Ray> rays = remesh::surface_rays(mesh, geometry);
   ThicknessProfile profile = profile_by_rays(mesh, geometry, rays_between_free_sides(mesh, rays));
   return profile.no_wall.empty() ? profile : profile_by_rays(mesh, geometry, rays);
 }

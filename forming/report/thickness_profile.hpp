@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "forming/report/wall/wall_sides.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "remesh/wall/wall_sides.hpp"
 
 namespace parison::forming {
 
@@ -49,8 +49,8 @@ struct ThicknessProfile {
   std::vector<Index> nodes;        ///< of the rows
   std::vector<Index> outer_edges;  ///< boundary edges that the rows lie on
   std::string no_wall;             ///< why there is none, a sentence; empty with a wall
-  std::vector<Ray> rays;           ///< through the glass, by node of the mesh
-  WallSides sides;                 ///< all `none` without a wall
+  std::vector<remesh::Ray> rays;   ///< through the glass, by node of the mesh
+  remesh::WallSides sides;         ///< all `none` without a wall
   /// Arcs, m, from which and to which shares of the arc are counted: the ends of the rows, or the middles of the rims.
   double first_arc, last_arc;
 };

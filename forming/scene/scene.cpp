@@ -160,6 +160,19 @@ std::vector<bool> contact_boundaries(const Body& body) {
   return flags;
 }
 
+std::pair<double, double> contact_range(const Body& body) {
+  const auto contact = contact_boundaries(body);
+  std::pair<double, double> range{HUGE_VAL, -HUGE_VAL};
+  for (const auto& segment : body.profile.segments) {
+    if (!contact[segment.boundary_id]) continue;
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const double height = core::point_at(segment, t)[1];
+      range = {std::min(range.first, height), std::max(range.second, height)};
+    }
+  }
+  return range;
+}
+
 std::vector<const Air*> airs_of(const Stage& stage) {
   if (stage.inner_air) return {&stage.air, &*stage.inner_air};
   return {&stage.air};
@@ -254,6 +267,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);
   check_motions(scene, root.tables("stage"));
+  check_solid(scene, root);
   scene.files = std::make_shared<const std::vector<core::ReadFile>>(std::move(record.files));
   scene.fingerprint = fingerprint_of(text_of(scene, library), scene);
   return scene;

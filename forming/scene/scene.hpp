@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "core/io/input_file.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/profile.hpp"
+#include "core/solid/section_family.hpp"
 #include "forming/cooling/glass_law.hpp"
 #include "forming/flow/material.hpp"
 #include "forming/scene/accuracy.hpp"
@@ -111,6 +113,7 @@ struct Swab {
 
 struct Tool : Body {
   flow::Friction friction;
+  core::SectionFamily section;  ///< of a tool that is not round, by heights in its own frame
   double swabbing = 1;  ///< multiplies the conductance of its contact with the glass
   /// Whether it has its temperature at its first use, and keeps it until then: before that it serves another container.
   bool waits = false;
@@ -250,6 +253,13 @@ struct Output {
 
 struct ContainerPlan;
 
+/// From a stage on the glass is followed in space: a sector about the axis between two planes of symmetry, the first of
+/// them y = 0.
+struct SolidPart {
+  Index from_stage;
+  double sector;  ///< rad
+};
+
 /// A whole case in SI units, validated; nothing changes it during a run.
 struct Scene {
   std::string name;
@@ -266,6 +276,7 @@ struct Scene {
   bool enclosure = false;                           ///< open surfaces of glass and tools see each other by radiation
   std::optional<RadiationChoice> radiation_choice;  ///< the model that `auto` took; none: the case names it
   std::vector<Stage> stages;
+  std::optional<SolidPart> solid;  ///< none: the glass is round to the end
   std::vector<Probe> probes;
   Output output;
   std::optional<Timing> timing;
@@ -294,6 +305,9 @@ Index first_use(const Scene& scene, Index tool);
 bool is_waiting(const Scene& scene, Index stage, Index tool);
 /// Flags of the boundaries of a body's outline that may touch other bodies.
 std::vector<bool> contact_boundaries(const Body& body);
+
+/// Lowest and highest place of those boundaries in the body's own frame, m.
+std::pair<double, double> contact_range(const Body& body);
 
 /// The air of a stage outside and, where it is other air, inside.
 std::vector<const Air*> airs_of(const Stage& stage);

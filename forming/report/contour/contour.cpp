@@ -12,7 +12,7 @@
 #include "core/mesh/element.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/process/mould_filling.hpp"
-#include "forming/report/wall/surface_rays.hpp"
+#include "remesh/wall/surface_rays.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -107,24 +107,25 @@ std::vector<double> outline_crossings(const core::Mesh& mesh, double level) {
 
 namespace {
 
-const char* name_of(SurfacePart side) {
+const char* name_of(remesh::SurfacePart side) {
   switch (side) {
-    case SurfacePart::outer:
+    case remesh::SurfacePart::outer:
       return "outer";
-    case SurfacePart::inner:
+    case remesh::SurfacePart::inner:
       return "inner";
-    case SurfacePart::rim:
+    case remesh::SurfacePart::rim:
       return "rim";
-    case SurfacePart::none:
+    case remesh::SurfacePart::none:
       break;
   }
   return "surface";
 }
 
 /// The side of each node; a node between a rim and a side is of the side.
-std::vector<SurfacePart> sides_of_nodes(const core::Mesh& mesh, const WallSides& sides) {
-  std::vector<SurfacePart> side(mesh.nodes.size(), SurfacePart::none);
-  for (const SurfacePart wanted : {SurfacePart::rim, SurfacePart::inner, SurfacePart::outer})
+std::vector<remesh::SurfacePart> sides_of_nodes(const core::Mesh& mesh, const remesh::WallSides& sides) {
+  std::vector<remesh::SurfacePart> side(mesh.nodes.size(), remesh::SurfacePart::none);
+  for (const remesh::SurfacePart wanted :
+       {remesh::SurfacePart::rim, remesh::SurfacePart::inner, remesh::SurfacePart::outer})
     for (std::size_t edge = 0; edge < sides.part.size(); ++edge)
       if (sides.part[edge] == wanted)
         for (const Index node : mesh.boundary_edges()[edge].nodes) side[node] = wanted;
@@ -132,12 +133,12 @@ std::vector<SurfacePart> sides_of_nodes(const core::Mesh& mesh, const WallSides&
 }
 
 /// Thickness at the nodes: of the outer side as in the profile, of the inner side by rays that meet the outer one.
-std::vector<double> thickness_at_nodes(const std::vector<SurfacePart>& side, const ThicknessProfile& profile) {
+std::vector<double> thickness_at_nodes(const std::vector<remesh::SurfacePart>& side, const ThicknessProfile& profile) {
   std::vector<double> thickness(side.size(), core::none);
   for (std::size_t n = 0; n < thickness.size(); ++n)
-    if (const Ray& ray = profile.rays[n]; side[n] == SurfacePart::inner && ray.ends() &&
-                                          profile.sides.part[ray.edge] == SurfacePart::outer &&
-                                          ray.facing >= facing_sides)
+    if (const remesh::Ray& ray = profile.rays[n]; side[n] == remesh::SurfacePart::inner && ray.ends() &&
+                                                  profile.sides.part[ray.edge] == remesh::SurfacePart::outer &&
+                                                  ray.facing >= remesh::facing_sides)
       thickness[n] = ray.length;
   for (std::size_t i = 0; i < profile.rows.size(); ++i) thickness[profile.nodes[i]] = profile.rows[i].thickness;
   return thickness;
@@ -156,7 +157,8 @@ double outer_thickness(const std::vector<ContourPoint>& points, double axial) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const ContourPoint &a = points[i - 1], &b = points[i];
     const double low = std::min(a.position[1], b.position[1]), high = std::max(a.position[1], b.position[1]);
-    if (a.side != SurfacePart::outer || b.side != SurfacePart::outer || axial < low || axial > high || low == high)
+    if (a.side != remesh::SurfacePart::outer || b.side != remesh::SurfacePart::outer || axial < low || axial > high ||
+        low == high)
       continue;
     const double t = (axial - a.position[1]) / (b.position[1] - a.position[1]);
     if (const double r = (1 - t) * a.position[0] + t * b.position[0]; r > radius)
@@ -175,7 +177,7 @@ double slice_distance(double height) {
 
 std::vector<ContourPoint> contour(const Scene& scene, const State& state, const ThicknessProfile& profile) {
   const core::Mesh& mesh = state.glass.mesh;
-  const std::vector<SurfacePart> side = sides_of_nodes(mesh, profile.sides);
+  const std::vector<remesh::SurfacePart> side = sides_of_nodes(mesh, profile.sides);
   const std::vector<double> thickness = thickness_at_nodes(side, profile);
   std::vector<ContourPoint> points;
   std::vector<bool> seen(mesh.nodes.size(), false);

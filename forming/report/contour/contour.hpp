@@ -5,9 +5,9 @@
 
 #include "core/mesh/mesh.hpp"
 #include "forming/report/thickness_profile.hpp"
-#include "forming/report/wall/wall_sides.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
+#include "remesh/wall/wall_sides.hpp"
 
 namespace parison::forming {
 
@@ -21,12 +21,12 @@ std::vector<double> outline_crossings(const core::Mesh& mesh, double level);
 
 /// A node of the glass surface.
 struct ContourPoint {
-  int loop;            ///< number of the connected part of the surface
-  SurfacePart side;    ///< none on glass that is no wall
-  double arc;          ///< along the surface from where it begins, m
-  Point position;      ///< m
-  double thickness;    ///< of the wall along the inward normal, m; NaN on rims and where there is none
-  double temperature;  ///< K; NaN without heat
+  int loop;                  ///< number of the connected part of the surface
+  remesh::SurfacePart side;  ///< none on glass that is no wall
+  double arc;                ///< along the surface from where it begins, m
+  Point position;            ///< m
+  double thickness;          ///< of the wall along the inward normal, m; NaN on rims and where there is none
+  double temperature;        ///< K; NaN without heat
 };
 
 /// The glass surface in the order of walking with the glass on the left, without symmetry boundaries: from one side

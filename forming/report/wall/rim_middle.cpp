@@ -4,8 +4,8 @@
 
 #include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
-#include "forming/report/wall/surface_chain.hpp"
 #include "forming/report/wall/wall_marks.hpp"
+#include "remesh/wall/surface_chain.hpp"
 
 namespace parison::forming {
 namespace {
@@ -32,8 +32,8 @@ class Passage {
 
 /// First and last edge of the loop that an edge lies on, the latter past the end.
 std::pair<Index, Index> loop_of(const core::Mesh& mesh, Index edge) {
-  Index begin = 0, end = loop_end(mesh, begin);
-  while (end <= edge) begin = end, end = loop_end(mesh, begin);
+  Index begin = 0, end = remesh::loop_end(mesh, begin);
+  while (end <= edge) begin = end, end = remesh::loop_end(mesh, begin);
   return {begin, end};
 }
 

@@ -21,8 +21,9 @@ constexpr double facing_at_rim = 0.97;
 /// tells the sides.
 class RowsBesideRim {
  public:
-  RowsBesideRim(const std::vector<ThicknessRow>& rows, const std::vector<Index>& nodes, const std::vector<Ray>& rays,
-                const std::vector<bool>& on_rim, const std::vector<bool>& held, const std::vector<bool>& paired)
+  RowsBesideRim(const std::vector<ThicknessRow>& rows, const std::vector<Index>& nodes,
+                const std::vector<remesh::Ray>& rays, const std::vector<bool>& on_rim, const std::vector<bool>& held,
+                const std::vector<bool>& paired)
       : rows_(rows), nodes_(nodes), rays_(rays), on_rim_(on_rim), paired_(paired), beside_(rows.size(), false) {
     const auto count = static_cast<Index>(rows.size());
     for (Index i = 0; i < count; ++i) {
@@ -40,7 +41,7 @@ class RowsBesideRim {
     const Index count = static_cast<Index>(rows_.size());
     Index faces = rim + step, pair = -1;
     for (; faces >= 0 && faces < count; faces += step) {
-      const Ray& ray = rays_[nodes_[faces]];
+      const remesh::Ray& ray = rays_[nodes_[faces]];
       if (pair < 0 && paired_[nodes_[faces]]) pair = faces;
       if (ray.ends() && ray.facing >= facing_at_rim) break;
       if (ray.ends() && std::abs(rows_[faces].arc - rows_[rim].arc) > reach * ray.length && pair >= 0) {
@@ -53,7 +54,7 @@ class RowsBesideRim {
 
   const std::vector<ThicknessRow>& rows_;
   const std::vector<Index>& nodes_;
-  const std::vector<Ray>& rays_;
+  const std::vector<remesh::Ray>& rays_;
   const std::vector<bool>&on_rim_, &paired_;
   std::vector<bool> beside_;
 };
@@ -64,13 +65,13 @@ struct Facing {
 };
 
 /// The nodes of rims, and those at which the two sides meet.
-std::vector<bool> nodes_on_rim(const core::Mesh& mesh, const WallSides& sides) {
+std::vector<bool> nodes_on_rim(const core::Mesh& mesh, const remesh::WallSides& sides) {
   std::vector<bool> on_rim(mesh.nodes.size(), false), outer = on_rim, inner = on_rim;
   for (std::size_t edge = 0; edge < sides.part.size(); ++edge)
     for (const Index node : mesh.boundary_edges()[edge].nodes) {
-      if (sides.part[edge] == SurfacePart::rim) on_rim[node] = true;
-      if (sides.part[edge] == SurfacePart::outer) outer[node] = true;
-      if (sides.part[edge] == SurfacePart::inner) inner[node] = true;
+      if (sides.part[edge] == remesh::SurfacePart::rim) on_rim[node] = true;
+      if (sides.part[edge] == remesh::SurfacePart::outer) outer[node] = true;
+      if (sides.part[edge] == remesh::SurfacePart::inner) inner[node] = true;
     }
   for (std::size_t node = 0; node < on_rim.size(); ++node) on_rim[node] = on_rim[node] || (outer[node] && inner[node]);
   return on_rim;
@@ -86,25 +87,26 @@ std::vector<bool> nodes_of_kind(const core::Mesh& mesh, BoundaryKind kind) {
 }
 
 /// Whether a ray from the outer side ends on the other one; of a mirrored wall, on its mirror image.
-bool ends_opposite(const WallSides& sides, const Ray& ray) {
-  const SurfacePart opposite = sides.is_mirrored ? SurfacePart::outer : SurfacePart::inner;
+bool ends_opposite(const remesh::WallSides& sides, const remesh::Ray& ray) {
+  const remesh::SurfacePart opposite = sides.is_mirrored ? remesh::SurfacePart::outer : remesh::SurfacePart::inner;
   return ray.ends() && sides.part[ray.edge] == opposite && !(sides.is_mirrored && ray.reflections % 2 == 0);
 }
 
 /// Rows whose ray ends on the other side become wall, those between the sides rim, all others foot. Returned is for
 /// each row what its ray has to face the other side by, and faces it by; NaN where something else decides.
-std::vector<Facing> mark_rows(const core::Mesh& mesh, const WallSides& sides, const std::vector<Ray>& rays,
-                              const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
-  const std::vector<bool> both = edges_of(sides, {SurfacePart::outer, SurfacePart::inner});
+std::vector<Facing> mark_rows(const core::Mesh& mesh, const remesh::WallSides& sides,
+                              const std::vector<remesh::Ray>& rays, const std::vector<Index>& nodes,
+                              std::vector<ThicknessRow>& rows) {
+  const std::vector<bool> both = edges_of(sides, {remesh::SurfacePart::outer, remesh::SurfacePart::inner});
   const std::vector<bool> on_rim = nodes_on_rim(mesh, sides);
   const RowsBesideRim beside_rim(rows, nodes, rays, on_rim, nodes_of_kind(mesh, BoundaryKind::fixed), sides.paired);
   std::vector<Facing> facing(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Ray& ray = rays[nodes[i]];
+    const remesh::Ray& ray = rays[nodes[i]];
     rows[i].mark = on_rim[nodes[i]] ? WallMark::rim : WallMark::foot;
     if (on_rim[nodes[i]] || !ends_opposite(sides, ray)) continue;
-    if (2 * distance_to_edges(mesh, both, ray.middle) < least_room * ray.length) continue;
-    facing[i] = {beside_rim[i] ? facing_at_rim : facing_sides, ray.facing};
+    if (2 * remesh::distance_to_edges(mesh, both, ray.middle) < least_room * ray.length) continue;
+    facing[i] = {beside_rim[i] ? facing_at_rim : remesh::facing_sides, ray.facing};
     if (facing[i].is < facing[i].least) continue;
     rows[i].mark = WallMark::wall;
     rows[i].thickness = ray.length;
@@ -191,8 +193,8 @@ void end_wall_between_rows(const core::Mesh& mesh, core::Geometry geometry, cons
 /// and its rays end on the other side and are hardly longer, as where the outer side turns a little: how squarely they
 /// meet the other side is on the edge of what a wall has there, and the mesh would decide about the mean. Rays of a
 /// heel are longer.
-void share_area_of_short_feet(const WallSides& sides, const std::vector<Ray>& rays, const std::vector<Index>& nodes,
-                              std::vector<ThicknessRow>& rows) {
+void share_area_of_short_feet(const remesh::WallSides& sides, const std::vector<remesh::Ray>& rays,
+                              const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   constexpr double hardly_longer = 1.2;
   const auto is_doubtful = [&](std::size_t i) {
     return rows[i].mark == WallMark::foot && ends_opposite(sides, rays[nodes[i]]);
@@ -214,15 +216,15 @@ void share_area_of_short_feet(const WallSides& sides, const std::vector<Ray>& ra
 
 }  // namespace
 
-std::vector<bool> edges_of(const WallSides& sides, std::initializer_list<SurfacePart> wanted) {
+std::vector<bool> edges_of(const remesh::WallSides& sides, std::initializer_list<remesh::SurfacePart> wanted) {
   std::vector<bool> edges;
-  for (const SurfacePart part : sides.part)
+  for (const remesh::SurfacePart part : sides.part)
     edges.push_back(std::find(wanted.begin(), wanted.end(), part) != wanted.end());
   return edges;
 }
 
-void mark_wall(const core::Mesh& mesh, core::Geometry geometry, const WallSides& sides, const std::vector<Ray>& rays,
-               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
+void mark_wall(const core::Mesh& mesh, core::Geometry geometry, const remesh::WallSides& sides,
+               const std::vector<remesh::Ray>& rays, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows) {
   const std::vector<Facing> facing = mark_rows(mesh, sides, rays, nodes, rows);
   clean_marks(mesh, nodes, rows);
   end_wall_between_rows(mesh, geometry, nodes, facing, rows);

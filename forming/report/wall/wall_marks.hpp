@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.hpp"
 #include "forming/report/thickness_profile.hpp"
-#include "forming/report/wall/wall_sides.hpp"
+#include "remesh/wall/wall_sides.hpp"
 
 namespace parison::forming {
 
@@ -33,13 +33,13 @@ double rim_middle(const core::Mesh& mesh, const RimApproach& approach);
 inline constexpr double least_wall_length = 1.5;
 
 /// By boundary edge: whether it is one of the wanted parts.
-std::vector<bool> edges_of(const WallSides& sides, std::initializer_list<SurfacePart> wanted);
+std::vector<bool> edges_of(const remesh::WallSides& sides, std::initializer_list<remesh::SurfacePart> wanted);
 
 /// Gives the rows, with their nodes, mark, thickness and the place on the inner side by the rays through the glass, and
 /// moves area between the last row of the wall and the next, so that the wall ends at a corner or where its sides turn
 /// away and not at a node; feet that are hardly any leave theirs to the wall.
-void mark_wall(const core::Mesh& mesh, core::Geometry geometry, const WallSides& sides, const std::vector<Ray>& rays,
-               const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows);
+void mark_wall(const core::Mesh& mesh, core::Geometry geometry, const remesh::WallSides& sides,
+               const std::vector<remesh::Ray>& rays, const std::vector<Index>& nodes, std::vector<ThicknessRow>& rows);
 
 /// Length of all stretches of marked rows that are wall, mirror images included, m.
 double wall_length(const core::Mesh& mesh, const std::vector<Index>& nodes, const std::vector<ThicknessRow>& rows);

@@ -210,6 +210,22 @@ bool keeps_plunger(const Scene& scene, const ContainerPlan& plan) {
                                    [&](const StageTool& entry) { return entry.tool == plan.press->tool; });
 }
 
+/// Volume of a region whose sections are those of the tools that are not round, m3.
+double volume_in_space(const Placed& placed, const Stage& stage, const FreeRegion& region) {
+  double volume = region.volume;
+  for (const StageTool& entry : stage.tools) {
+    const Tool& tool = placed.scene.tools[entry.tool];
+    if (tool.section.is_round()) continue;
+    const auto [low, high] = contact_range(tool);
+    const double offset = *placed.offset[entry.tool];
+    for (const Slice& slice : region.slices) {
+      const double height = 0.5 * (slice.from + slice.to) - offset;
+      if (height > low && height < high) volume += (core::area_factor(tool.section, height) - 1) * slice.volume();
+    }
+  }
+  return volume;
+}
+
 /// Rim, capacity and what it holds to the fill level.
 void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan) {
   const Stage& last = last_forming_stage(scene);
@@ -217,7 +233,7 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
   const bool rim_is_low = last.gravity > 0;
   const auto mould = keeps_plunger(scene, plan) ? std::nullopt : closed_region(placed, last, {});
   if (mould) {
-    plan.outside = mould->volume;
+    plan.outside = volume_in_space(placed, last, *mould);
     plan.mould_range = {mould->low, mould->high};
     plan.rim = rim_is_low ? mould->low : mould->high;
     plan.capacity = *plan.outside - plan.glass_volume;
@@ -267,7 +283,11 @@ double difference_by_chords(const Scene& scene, Placed placed, const ContainerPl
     return other ? std::abs(other->volume / volume - 1) : 1;
   };
   double largest = 0;
-  if (plan.outside) largest = difference(*plan.outside, closed_region(placed, last_forming_stage(scene), {}));
+  if (plan.outside) {
+    auto region = closed_region(placed, last_forming_stage(scene), {});
+    if (region) region->volume = volume_in_space(placed, last_forming_stage(scene), *region);
+    largest = difference(*plan.outside, region);
+  }
   if (!plan.press) return largest;
   for (std::size_t i = 0; i < plan.press->offsets.size(); ++i) placed.offset[i] = plan.press->offsets[i];
   const Stage& stage = scene.stages[plan.press->stage];

@@ -35,6 +35,13 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
+/// The sections of a tool that is not round; `tool` has its outline.
+core::SectionFamily read_sections(const core::CaseNode& node, core::Geometry geometry, const Tool& tool);
+/// The part of a stage from which on the glass is followed in space. `scene` has the stages before it.
+void read_solid(const core::CaseNode& node, const Stage& stage, Scene& scene);
+/// Refuses sections whose stages follow the glass as a round body, and what is not computed in space yet.
+void check_solid(const Scene& scene, const core::CaseTable& root);
+
 /// The temperature of a body at the start, uniform or a field; `body` has its outline.
 void read_start_temperature(const core::CaseNode& node, const BodyContext& context, Body& body);
 

@@ -136,7 +136,7 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
 Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
   const CaseTable table(
       node, {"name", "duration", "from", "until", "end_speed", "gravity", "tools", "motion", "pressure", "end", "air",
-             "inner_air", "trapped_air", "cooling", "name_boundary", "kind", "lehr"});
+             "inner_air", "trapped_air", "cooling", "name_boundary", "kind", "lehr", "solid"});
   Stage stage;
   stage.name = core::identifier(table.get("name"));
   read_kind(table, scene, stage);
@@ -148,6 +148,7 @@ Stage read_stage(const CaseNode& node, const CommonAir& common, Scene& scene) {
   stage.tools = read_stage_tools(table, scene);
   read_loads(table, scene, stage);
   if (const auto* item = table.find("end")) stage.ends = read_ends(*item, scene, stage);
+  if (const auto* item = table.find("solid")) read_solid(*item, stage, scene);
   if (lehr) return stage;
   read_surroundings(table, common, scene, stage);
   return stage;

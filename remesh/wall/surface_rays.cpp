@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/wall/surface_rays.hpp"
+#include "remesh/wall/surface_rays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "remesh/surface/boundary_rays.hpp"
 #include "remesh/surface/curve.hpp"
 
-namespace parison::forming {
+namespace parison::remesh {
 namespace {
 
 /// Rays that meet an edge at less than this, as a sine, run along it.
@@ -41,7 +41,7 @@ Point middle_of(const std::vector<Point>& corners, double length) {
   return corners.back();
 }
 
-Ray ray_from(const core::Mesh& mesh, const remesh::BoundaryRays& exits, core::Geometry geometry,
+Ray ray_from(const core::Mesh& mesh, const BoundaryRays& exits, core::Geometry geometry,
              const std::vector<bool>& symmetry, Index node, const Point& inward) {
   Ray ray;
   ray.start = mesh.nodes[node];
@@ -53,8 +53,8 @@ Ray ray_from(const core::Mesh& mesh, const remesh::BoundaryRays& exits, core::Ge
     const auto hit = exits.first_exit({corners.back(), direction, from, skipped});
     if (hit.edge < 0) return ray;
     const core::BoundaryEdge& edge = mesh.boundary_edges()[hit.edge];
-    const Point normal = remesh::outward_normal(mesh, edge.nodes, hit.position);
-    corners.push_back(remesh::point_on(mesh, edge.nodes, hit.position));
+    const Point normal = outward_normal(mesh, edge.nodes, hit.position);
+    corners.push_back(point_on(mesh, edge.nodes, hit.position));
     length += hit.distance;
     if (!symmetry[edge.boundary_id]) {
       ray.length = length;
@@ -77,12 +77,12 @@ Ray ray_from(const core::Mesh& mesh, const remesh::BoundaryRays& exits, core::Ge
 std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>& symmetry) {
   std::vector<bool> counts = symmetry;
   counts.flip();
-  std::vector<Point> normals = remesh::normal_sums(mesh, counts);
+  std::vector<Point> normals = normal_sums(mesh, counts);
   constexpr std::array<double, 3> positions{0, 1, 0.5};
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     for (int k = 0; k < 3 && symmetry[edge.boundary_id]; ++k) {
       Point& normal = normals[edge.nodes[k]];
-      const Point across = remesh::outward_normal(mesh, edge.nodes, positions[k]);
+      const Point across = outward_normal(mesh, edge.nodes, positions[k]);
       normal -= normal.dot(across) * across;
     }
   for (Point& normal : normals)
@@ -95,7 +95,7 @@ std::vector<Point> node_normals(const core::Mesh& mesh, const std::vector<bool>&
 std::vector<Ray> surface_rays(const core::Mesh& mesh, core::Geometry geometry) {
   const std::vector<bool> symmetry = core::boundaries_of_kind(mesh, core::BoundaryKind::symmetry);
   const std::vector<Point> normals = node_normals(mesh, symmetry);
-  const remesh::BoundaryRays exits(mesh, grazing);
+  const BoundaryRays exits(mesh, grazing);
   std::vector<Ray> rays(mesh.nodes.size());
   std::vector<bool> done(mesh.nodes.size(), false);
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
@@ -123,4 +123,4 @@ double distance_to_edges(const core::Mesh& mesh, const std::vector<bool>& wanted
   return std::sqrt(nearest);
 }
 
-}  // namespace parison::forming
+}  // namespace parison::remesh

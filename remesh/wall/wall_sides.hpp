@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "forming/report/wall/surface_rays.hpp"
+#include "remesh/wall/surface_rays.hpp"
 
-namespace parison::forming {
+namespace parison::remesh {
 
 /// What a boundary edge is of a wall: one of its two sides, a rim between them, or neither (a symmetry boundary, a
 /// bubble).
@@ -31,4 +31,4 @@ WallSides wall_sides(const core::Mesh& mesh, core::Geometry geometry, const std:
 /// along the wall, not through it.
 inline constexpr double facing_sides = 0.8;
 
-}  // namespace parison::forming
+}  // namespace parison::remesh

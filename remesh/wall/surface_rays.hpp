@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh.hpp"
 
-namespace parison::forming {
+namespace parison::remesh {
 
 using core::Index;
 using core::Point;
@@ -34,4 +34,4 @@ std::vector<Ray> surface_rays(const core::Mesh& mesh, core::Geometry geometry);
 /// wanted.
 double distance_to_edges(const core::Mesh& mesh, const std::vector<bool>& wanted_edges, const Point& x);
 
-}  // namespace parison::forming
+}  // namespace parison::remesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/wall/wall_sides.hpp"
+#include "remesh/wall/wall_sides.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "core/mesh/element.hpp"
-#include "forming/report/wall/surface_chain.hpp"
+#include "remesh/wall/surface_chain.hpp"
 
-namespace parison::forming {
+namespace parison::remesh {
 namespace {
 
 /// A side ends at a corner that turns by more than 30 degrees, and where it has turned by more than 75 degrees since
@@ -196,4 +196,4 @@ WallSides wall_sides(const core::Mesh& mesh, core::Geometry geometry, const std:
   return found;
 }
 
-}  // namespace parison::forming
+}  // namespace parison::remesh

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "forming/report/wall/surface_rays.hpp"
+#include "remesh/wall/surface_rays.hpp"
 
-namespace parison::forming {
+namespace parison::remesh {
 
 /// Past the last boundary edge of the loop that begins at edge `begin`.
 Index loop_end(const core::Mesh& mesh, Index begin);
@@ -42,4 +42,4 @@ struct ChainCut {
 /// The cut that parts the greatest length of pairs on one chain; `found` is false where there are none.
 ChainCut best_cut(const SurfaceChain& chain, const std::vector<SurfacePair>& pairs, bool& found);
 
-}  // namespace parison::forming
+}  // namespace parison::remesh

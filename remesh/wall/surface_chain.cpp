@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "forming/report/wall/surface_chain.hpp"
+#include "remesh/wall/surface_chain.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "forming/report/wall/wall_sides.hpp"
+#include "remesh/wall/wall_sides.hpp"
 
-namespace parison::forming {
+namespace parison::remesh {
 namespace {
 
 /// Room around the middle of a ray over its length, from surface to surface.
@@ -140,4 +140,4 @@ ChainCut best_cut(const SurfaceChain& chain, const std::vector<SurfacePair>& pai
   return cut;
 }
 
-}  // namespace parison::forming
+}  // namespace parison::remesh

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/solid/wall_mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/case/table.hpp"
+#include "core/process/run_error.hpp"
+
+namespace parison::remesh {
+
+namespace {
+
+using core::Vector3;
+
+/// Place of a node in the wall laid flat: in polar coordinates the arc from the axis, m, and the angle about it; and
+/// across the wall.
+struct FlatPlace {
+  double x, y;  ///< m
+  double across;
+};
+
+/// The middle line of a wall by its length, m: `along` of the wall's coordinates there.
+class MiddleLine {
+ public:
+  explicit MiddleLine(const WallCoordinates& wall) {
+    constexpr int pieces = 2000;
+    core::Point before = wall.place(0, middle).at;
+    for (int i = 0; i <= pieces; ++i) {
+      const double along = double(i) / pieces;
+      const core::Point at = wall.place(along, middle).at;
+      const double arc = i == 0 ? 0 : table_.x.back() + (at - before).norm();
+      if (i > 0 && arc <= table_.x.back()) continue;
+      table_.x.push_back(arc);
+      table_.y.push_back(along);
+      widest_ = std::max(widest_, at[0]);
+      before = at;
+    }
+  }
+  double length() const { return table_.x.back(); }
+  double widest() const { return widest_; }  ///< largest radius, m
+  double along(double arc) const { return table_(arc); }
+
+ private:
+  static constexpr double middle = 0.5;
+  core::Table table_;
+  double widest_ = 0;
+};
+
+/// Where layers end, from the inner side, 0, to the outer one, 1.
+std::vector<double> layer_ends(Index layers) {
+  // One side is cold in a mould: each layer is half of the one before; where there are enough of them both sides get
+  // thin ones, as a wall is that comes from a blank.
+  std::vector<double> thickness(static_cast<std::size_t>(layers));
+  constexpr double to_outer = 2, to_both = 1.5;
+  for (Index l = 0; l < layers; ++l) {
+    const bool both = layers > 3;
+    const double depth = both ? std::min(l, layers - 1 - l) : layers - 1 - l;
+    thickness[static_cast<std::size_t>(l)] = std::pow(both ? to_both : to_outer, depth);
+  }
+  std::vector<double> ends{0};
+  double sum = 0;
+  for (const double t : thickness) sum += t;
+  for (const double t : thickness) ends.push_back(ends.back() + t / sum);
+  ends.back() = 1;
+  return ends;
+}
+
+/// A point of the unit square laid into a quarter disc of radius 1: near its corner a square, at its far sides the arc.
+std::array<double, 2> in_quarter_disc(double a, double b) {
+  const double far = std::max(a, b);
+  if (far == 0) return {0, 0};
+  const double angle = a >= b ? M_PI_4 * b / a : M_PI_2 - M_PI_4 * a / b;
+  constexpr double square = 0.8;  // side of the square over the radius, at its corner
+  return {far * far * std::cos(angle) + (1 - far) * square * a, far * far * std::sin(angle) + (1 - far) * square * b};
+}
+
+/// Collects cells and joins their nodes where they share a place.
+class WallBuilder {
+ public:
+  WallBuilder(const WallCoordinates& wall, const MiddleLine& line, const WallDivision& division)
+      : wall_(wall), line_(line), division_(division), ends_(layer_ends(division.layers)) {}
+
+  /// A stack of cells, one for each layer, over a part of the wall laid flat: place(u, v), u and v from 0 to 1.
+  /// `at_rim`: its side u = 1 is on the rim.
+  template <typename Place>
+  void add_stack(const Place& place, bool at_rim) {
+    for (Index layer = 0; layer < division_.layers; ++layer) {
+      std::array<Index, core::HexMesh::nodes_per_cell> cell;
+      for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i) {
+            const std::array<double, 2> flat = place(0.5 * i, 0.5 * j);
+            const auto l = static_cast<std::size_t>(layer);
+            const double across = ends_[l] + 0.5 * k * (ends_[l + 1] - ends_[l]);
+            cell[static_cast<std::size_t>(i + 3 * j + 9 * k)] = node({flat[0], flat[1], across});
+          }
+      const Index c = result_.mesh.cell_count();
+      result_.mesh.cells.push_back(cell);
+      if (layer == 0) result_.inner.push_back({c, 2, 0});
+      if (layer + 1 == division_.layers) result_.outer.push_back({c, 2, 1});
+      if (at_rim) result_.rim.push_back({c, 0, 1});
+    }
+  }
+
+  WallMesh take() {
+    turn_right_handed();
+    add_planes();
+    return std::move(result_);
+  }
+
+ private:
+  Index node(const FlatPlace& at) {
+    constexpr double same = 1e-9;  // m, and of the wall
+    const auto key =
+        std::make_tuple(std::llround(at.x / same), std::llround(at.y / same), std::llround(at.across / same));
+    const auto [found, is_new] = numbers_.try_emplace(key, result_.mesh.node_count());
+    if (!is_new) return found->second;
+    const double arc = std::hypot(at.x, at.y), angle = arc == 0 ? 0 : std::atan2(at.y, at.x);
+    const auto place = wall_.place(arc > line_.length() * (1 - 1e-12) ? 1 : line_.along(arc), at.across);
+    const double radius = std::get<0>(key) == 0 && std::get<1>(key) == 0 ? 0 : place.at[0];
+    result_.mesh.nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle), place.at[1]);
+    result_.section.push_back(place);
+    return found->second;
+  }
+
+  /// The cells were laid with the wall flat; seen from its other side they are mirrored.
+  void turn_right_handed() {
+    const auto& cell = result_.mesh.cells.back();
+    const auto& x = result_.mesh.nodes;
+    const Vector3 along = x[cell[14]] - x[cell[12]], around = x[cell[16]] - x[cell[10]],
+                  across = x[cell[22]] - x[cell[4]];
+    if (along.cross(around).dot(across) > 0) return;
+    for (auto& one : result_.mesh.cells)
+      for (std::size_t k = 0; k < 3; ++k) {
+        std::swap(one[9 * k + 1], one[9 * k + 3]);
+        std::swap(one[9 * k + 2], one[9 * k + 6]);
+        std::swap(one[9 * k + 5], one[9 * k + 7]);
+      }
+    for (auto& face : result_.rim) face.axis = 1;
+  }
+
+  void add_planes() {
+    if (division_.sector > 2 * M_PI - 1e-9) return;
+    for (const double angle : {0.0, division_.sector}) {
+      SymmetryPlane plane{{-std::sin(angle), std::cos(angle), 0}, {}};
+      for (Index n = 0; n < result_.mesh.node_count(); ++n) {
+        const Vector3& x = result_.mesh.nodes[n];
+        if (std::abs(plane.normal.dot(x)) < 1e-9 && (x.dot(Vector3(std::cos(angle), std::sin(angle), 0)) >= -1e-12))
+          plane.nodes.push_back(n);
+      }
+      result_.planes.push_back(std::move(plane));
+    }
+  }
+
+  const WallCoordinates& wall_;
+  const MiddleLine& line_;
+  WallDivision division_;
+  std::vector<double> ends_;
+  WallMesh result_;
+  std::map<std::tuple<long long, long long, long long>, Index> numbers_;
+};
+
+/// The cells around the axis from arc to arc: `rings` along the wall, `around` about the axis between two angles.
+void add_rings(WallBuilder& builder, double from, double to, Index rings, double first, double sector, Index around) {
+  for (Index i = 0; i < rings; ++i)
+    for (Index j = 0; j < around; ++j)
+      builder.add_stack(
+          [&](double u, double v) {
+            const double arc = from + (to - from) * (i + u) / rings, angle = first + sector * (j + v) / around;
+            return std::array{arc * std::cos(angle), arc * std::sin(angle)};
+          },
+          i + 1 == rings);
+}
+
+Index divisions(double length, double size) {
+  return std::max(Index{1}, static_cast<Index>(std::lround(length / size)));
+}
+
+}  // namespace
+
+WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
+  const MiddleLine line(wall);
+  WallBuilder builder(wall, line, division);
+  const double quarter = M_PI_2, size = division.size;
+  if (division.sector < quarter - 1e-9) {
+    add_rings(builder, 0, line.length(), divisions(line.length(), size), 0, division.sector,
+              divisions(line.widest() * division.sector, size));
+    return builder.take();
+  }
+  // The square at the axis has half as many cells along a side as a quarter has around.
+  const Index side = divisions(0.5 * quarter * line.widest(), size);
+  constexpr double narrower = 0.6;  // cells of the square over those around the widest part
+  const double disc = std::min(narrower * side * size, 0.5 * line.length());
+  const auto quarters = std::lround(division.sector / quarter);
+  for (long q = 0; q < quarters; ++q) {
+    const double turn = quarter * double(q), cosine = std::cos(turn), sine = std::sin(turn);
+    for (Index i = 0; i < side; ++i)
+      for (Index j = 0; j < side; ++j)
+        builder.add_stack(
+            [&](double u, double v) {
+              const auto [x, y] = in_quarter_disc((i + u) / side, (j + v) / side);
+              return std::array{disc * (cosine * x - sine * y), disc * (sine * x + cosine * y)};
+            },
+            false);
+    add_rings(builder, disc, line.length(), divisions(line.length() - disc, size), turn, quarter, 2 * side);
+  }
+  return builder.take();
+}
+
+}  // namespace parison::remesh

@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vector>
+
+#include "core/solid/hex_mesh.hpp"
+#include "remesh/wall/wall_coordinates.hpp"
+
+namespace parison::remesh {
+
+/// Nodes of a plane of symmetry through the axis.
+struct SymmetryPlane {
+  core::Vector3 normal;      ///< unit
+  std::vector<Index> nodes;  ///< those on the axis too
+};
+
+/// A wall as layers of hexahedra: i and j of a cell run along the wall, k from the inner side to the outer one.
+struct WallMesh {
+  core::HexMesh mesh;
+  std::vector<WallCoordinates::Place> section;   ///< by node: where it comes from in the section
+  std::vector<core::HexFace> inner, outer, rim;  ///< faces of the sides and of the rim
+  std::vector<SymmetryPlane> planes;
+};
+
+/// How a wall is divided.
+struct WallDivision {
+  double size;    ///< edge of cells along the wall, m
+  Index layers;   ///< of cells through the wall
+  double sector;  ///< rad: a quarter, half or whole turn, or a smaller whole part of it
+};
+
+/// Turns the section of a wall about the axis. Quarters are closed at the axis by a square of cells (an O-grid),
+/// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards the outer side, four and
+/// more towards both:. Throws core::RunError where a cell is inverted.
+WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division);
+
+}  // namespace parison::remesh

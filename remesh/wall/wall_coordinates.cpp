@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh/wall/wall_coordinates.hpp"
+
+#include <array>
+#include <map>
+
+#include "core/linear/cholesky.hpp"
+#include "core/mesh/element.hpp"
+#include "core/process/run_error.hpp"
+
+namespace parison::remesh {
+
+namespace {
+
+/// Values that a harmonic function has on parts of the boundary, by node.
+using Given = std::map<Index, double>;
+
+/// Solves Laplace's equation in the plane of the section; where no value is given the normal derivative is zero.
+Eigen::VectorXd harmonic(const core::Mesh& mesh, const Given& given) {
+  core::Cliques cliques;
+  for (const auto& cell : mesh.cells()) cliques.add(cell.data(), 6);
+  auto [matrix, scatter] = core::make_assembly(mesh.node_count(), cliques);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh.node_count());
+  constexpr double held = 1e12;  // times the largest entry of a row
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    std::array<double, 36> local{};
+    for (const auto& rule : core::triangle_rule(4)) {
+      const core::CellPoint point = core::map_cell_point(mesh, c, core::Geometry::planar, rule);
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j)
+          local[static_cast<std::size_t>(6 * i + j)] += point.volume * point.gradient[i].dot(point.gradient[j]);
+    }
+    for (int i = 0; i < 6; ++i) {
+      const auto value = given.find(mesh.cells()[c][i]);
+      if (value == given.end()) continue;
+      double& diagonal = local[static_cast<std::size_t>(7 * i)];
+      load[value->first] += held * diagonal * value->second;
+      diagonal *= held;
+    }
+    core::add_clique(matrix, scatter, c, 6, local.data());
+  }
+  core::Cholesky cholesky;
+  cholesky.analyse(matrix);
+  if (!cholesky.factorise(matrix)) throw core::RunError("the section of the parison cannot be followed in space");
+  return cholesky.solve(load);
+}
+
+void add_edge(const core::BoundaryEdge& edge, double value, Given& given) {
+  for (const Index node : edge.nodes) given[node] = value;
+}
+
+/// The same cells in harmonic coordinates.
+core::Mesh rectangle_of(const core::Mesh& section, const WallSides& sides) {
+  Given along, across;
+  std::array<int, 4> found{};  // edges of the axis, the rim, the inner and the outer side
+  for (std::size_t e = 0; e < section.boundary_edges().size(); ++e) {
+    const core::BoundaryEdge& edge = section.boundary_edges()[e];
+    if (section.kind_of(edge) == core::BoundaryKind::symmetry) add_edge(edge, 0, along), ++found[0];
+    if (sides.part[e] == SurfacePart::rim) add_edge(edge, 1, along), ++found[1];
+    if (sides.part[e] == SurfacePart::inner) add_edge(edge, 0, across), ++found[2];
+    if (sides.part[e] == SurfacePart::outer) add_edge(edge, 1, across), ++found[3];
+  }
+  constexpr std::array missing{"place on the axis", "rim", "inner side", "outer side"};
+  for (std::size_t part = 0; part < found.size(); ++part)
+    if (found[part] == 0)
+      throw core::RunError(std::string("the parison has no ") + missing[part] +
+                           ", so that it is no wall to follow in space");
+  core::Mesh rectangle = section;
+  const Eigen::VectorXd first = harmonic(section, along), second = harmonic(section, across);
+  for (Index n = 0; n < section.node_count(); ++n) rectangle.nodes[n] = {first[n], second[n]};
+  return rectangle;
+}
+
+}  // namespace
+
+WallCoordinates::WallCoordinates(const core::Mesh& section, const WallSides& sides)
+    : section_(&section), rectangle_(rectangle_of(section, sides)), cells_(rectangle_) {}
+
+WallCoordinates::Place WallCoordinates::place(double along, double across) const {
+  const CellGrid::Found found = cells_.find({along, across});
+  const auto shape = core::triangle_shape(found.at[0], found.at[1]);
+  core::Point at = core::Point::Zero();
+  for (int i = 0; i < 6; ++i) at += shape[i] * section_->nodes[section_->cells()[found.cell][i]];
+  return {at, found};
+}
+
+double WallCoordinates::value(const Eigen::VectorXd& field, const Place& at) const {
+  const auto shape = core::triangle_shape(at.found.at[0], at.found.at[1]);
+  double value = 0;
+  for (int i = 0; i < 6; ++i) value += shape[i] * field[section_->cells()[at.found.cell][i]];
+  return value;
+}
+
+}  // namespace parison::remesh
