@@ -1,0 +1,33 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <vector>
+
+#include "core/linear/cholesky.hpp"
+#include "thermal/solid/solid_system.hpp"
+
+namespace parison::thermal {
+
+/// Matrix C + step K of the stage equations and its factor, kept between steps. The pattern has all faces and all pairs
+/// of faces that the interface names, near ones included; it is made anew where a mesh changes or a pair comes in that
+/// it does not have.
+struct SolidStepMatrix {
+  core::Cholesky cholesky;
+  core::Assembly assembly;
+  Eigen::VectorXd diagonal;  ///< of the factored matrix, J/K
+  double factored_step = 0;  ///< s; 0: no factor
+  Index analyses = 0, factorisations = 0;
+
+  // What the pattern was made for.
+  std::vector<Index> mesh_signature;
+  std::map<std::array<Index, 4>, Index> pair_clique;  ///< by FacePair::key()
+  std::vector<std::vector<std::array<int, 2>>> repeats;  ///< by clique: entries whose unknown comes twice
+};
+
+/// Makes the pattern fit a system; the factor of another system is dropped.
+void prepare(SolidStepMatrix& matrix, const SolidSystem& system);
+/// Assembles and factorises at a time, s, and temperatures, K; false when the matrix is not positive definite.
+bool factorise(SolidStepMatrix& matrix, const SolidSystem& system, double time, const Eigen::VectorXd& temperature,
+               double step);
+
+}  // namespace parison::thermal

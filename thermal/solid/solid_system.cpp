@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thermal/solid/solid_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/mesh/element.hpp"
+#include "thermal/solid/solid_cells.hpp"
+#include "thermal/solid/solid_exchange.hpp"
+
+namespace parison::thermal {
+
+namespace {
+
+SolidLaws laws_of(const SolidBodyView& body, Index first_unknown) {
+  const core::CellTable& table = *body.cells.table;
+  SolidLaws laws{Enthalpy(body.material->heat_capacity),
+                 Conductivity(*body.material),
+                 body.cells,
+                 core::cell_metric(*body.nodes, body.cells),
+                 body.mass,
+                 Eigen::MatrixXd(4 * table.points(), table.nodes()),
+                 {},
+                 first_unknown};
+  laws.stacked << table.shape, table.derivative;
+  if (!body.wall_thickness || !is_rosseland(*body.material)) return laws;
+  laws.thin_wall.resize(body.cells.point_count());
+  for (Index c = 0; c < body.cells.count; ++c)
+    for (Index q = 0; q < table.points(); ++q) {
+      double wall = 0;
+      for (Index n = 0; n < table.nodes(); ++n)
+        wall += table.shape(q, n) * (*body.wall_thickness)[body.cells.cell(c)[n]];
+      laws.thin_wall[c * table.points() + q] = thin_wall_factor(*body.material->radiation, wall);
+    }
+  return laws;
+}
+
+Index boundary_count(const SolidBodyView& body) {
+  Index count = static_cast<Index>(std::max(body.exchange.size(), body.prescribed.size()));
+  for (const core::QuadFace& face : *body.faces) count = std::max(count, face.boundary_id + 1);
+  return count;
+}
+
+void add_source(SolidSystem& system, Index body) {
+  const Eigen::VectorXd* source = system.problem->bodies[body].source;
+  if (!source) return;
+  const SolidLaws& laws = system.bodies[body];
+  const core::CellTable& table = *laws.cells.table;
+  system.body_source[body] = source->sum();
+  for (Index c = 0; c < laws.cells.count; ++c) {
+    const Eigen::VectorXd into = table.shape.transpose() * source->segment(c * table.points(), table.points());
+    for (Index n = 0; n < table.nodes(); ++n) system.source[laws.first_unknown + laws.cells.cell(c)[n]] += into[n];
+  }
+}
+
+void add_prescribed(SolidSystem& system, Index body) {
+  const SolidBodyView& view = system.problem->bodies[body];
+  for (const core::QuadFace& face : *view.faces) {
+    const auto id = static_cast<std::size_t>(face.boundary_id);
+    if (id >= view.prescribed.size() || !view.prescribed[id]) continue;
+    for (const Index node : face.nodes) {
+      const Index unknown = system.first_unknown[body] + node;
+      if (system.is_prescribed[unknown]) continue;
+      system.is_prescribed[unknown] = 1;
+      system.prescribed.push_back({unknown, body, &*view.prescribed[id], system.first_boundary[body] + face.boundary_id});
+    }
+  }
+}
+
+}  // namespace
+
+SolidSystem make_solid_system(const SolidProblem& problem) {
+  SolidSystem system{&problem, {0}, {0}, {0}, {}, {}, {}, {}, {}, {}, {}, {}};
+  for (const SolidBodyView& body : problem.bodies) {
+    system.bodies.push_back(laws_of(body, system.first_unknown.back()));
+    system.first_unknown.push_back(system.first_unknown.back() + static_cast<Index>(body.nodes->size()));
+    system.first_boundary.push_back(system.first_boundary.back() + boundary_count(body));
+    system.first_face.push_back(system.first_face.back() + static_cast<Index>(body.faces->size()));
+  }
+  const auto count = static_cast<Index>(problem.bodies.size());
+  system.source.setZero(system.size());
+  system.body_source.setZero(count);
+  system.is_prescribed.assign(static_cast<std::size_t>(system.size()), 0);
+  for (Index b = 0; b < count; ++b) {
+    add_source(system, b);
+    add_prescribed(system, b);
+    add_faces(system, b);
+  }
+  add_contacts(system);
+  return system;
+}
+
+std::string why_not_solvable(const SolidSystem& system) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const SolidLaws& laws = system.bodies[b];
+    for (Index point = 0; point < laws.metric.volume.size(); ++point)
+      if (!(laws.metric.volume[point] > 0))
+        return fmt::format("heat: cell {} of body {} is inverted", point / laws.cells.table->points(), b);
+  }
+  return {};
+}
+
+Response evaluate(const SolidSystem& system, double time, const Eigen::VectorXd& temperature) {
+  const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
+  const auto zero = [](Index count) { return Eigen::VectorXd::Zero(count); };
+  Response response{zero(system.size()),
+                    zero(system.size()),
+                    {zero(bodies), zero(bodies), zero(bodies), zero(pairs), zero(pairs), zero(pairs),
+                     zero(system.first_boundary.back()), zero(bodies)}};
+  for (Index b = 0; b < bodies; ++b) {
+    add_cells(system.bodies[b], temperature, response);
+    const double factor = system.problem->bodies[b].source_factor(time);
+    const Index first = system.first_unknown[b], count = system.first_unknown[b + 1] - first;
+    response.power.segment(first, count) += factor * system.source.segment(first, count);
+    response.flows.from_source[b] = factor * system.body_source[b];
+  }
+  add_exchange(system, time, temperature, response);
+  return response;
+}
+
+bool impose_prescribed(const SolidSystem& system, double time, Eigen::VectorXd& temperature) {
+  bool changed = false;
+  for (const SolidPrescribed& at : system.prescribed) {
+    const double value = (*at.temperature)(time);
+    changed = changed || temperature[at.unknown] != value;
+    temperature[at.unknown] = value;
+  }
+  return changed;
+}
+
+HeatBalance zero_balance(const SolidSystem& system) {
+  HeatBalance balance;
+  balance.bodies.resize(system.bodies.size());
+  balance.first_boundary = system.first_boundary;
+  balance.through_boundary.assign(static_cast<std::size_t>(system.first_boundary.back()), 0);
+  for (const auto& [slave, master] : system.pairs) balance.pairs.push_back({slave, master});
+  return balance;
+}
+
+Eigen::VectorXd join(const std::vector<Eigen::VectorXd>& temperature) {
+  Index count = 0;
+  for (const Eigen::VectorXd& each : temperature) count += static_cast<Index>(each.size());
+  Eigen::VectorXd joined(count);
+  Index first = 0;
+  for (const Eigen::VectorXd& each : temperature) {
+    joined.segment(first, each.size()) = each;
+    first += static_cast<Index>(each.size());
+  }
+  return joined;
+}
+
+std::vector<Eigen::VectorXd> split(const SolidSystem& system, const Eigen::VectorXd& joined) {
+  std::vector<Eigen::VectorXd> temperature;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    temperature.push_back(joined.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]));
+  return temperature;
+}
+
+}  // namespace parison::thermal
