@@ -22,6 +22,12 @@ struct HexMesh {
   Index cell_count() const { return static_cast<Index>(cells.size()); }
 };
 
+/// A plane that nodes do not leave and along which nothing drags.
+struct SymmetryPlane {
+  Vector3 normal;            ///< unit
+  std::vector<Index> nodes;  ///< those on another plane too
+};
+
 /// A face of a cell: where the coordinate `axis` of its cube is 0 (`end` 0) or 1.
 struct HexFace {
   Index cell;

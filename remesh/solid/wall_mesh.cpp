@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "core/case/table.hpp"
 #include "core/process/run_error.hpp"
@@ -110,6 +111,10 @@ class WallBuilder {
   WallMesh take() {
     turn_right_handed();
     add_planes();
+    for (const auto& [place, nodes] : columns_) {
+      result_.columns.emplace_back();
+      for (const auto& [across, node] : nodes) result_.columns.back().push_back(node);
+    }
     return std::move(result_);
   }
 
@@ -120,6 +125,7 @@ class WallBuilder {
         std::make_tuple(std::llround(at.x / same), std::llround(at.y / same), std::llround(at.across / same));
     const auto [found, is_new] = numbers_.try_emplace(key, result_.mesh.node_count());
     if (!is_new) return found->second;
+    columns_[{std::get<0>(key), std::get<1>(key)}][std::get<2>(key)] = found->second;
     const double arc = std::hypot(at.x, at.y), angle = arc == 0 ? 0 : std::atan2(at.y, at.x);
     const auto place = wall_.place(arc > line_.length() * (1 - 1e-12) ? 1 : line_.along(arc), at.across);
     const double radius = std::get<0>(key) == 0 && std::get<1>(key) == 0 ? 0 : place.at[0];
@@ -147,7 +153,7 @@ class WallBuilder {
   void add_planes() {
     if (division_.sector > 2 * M_PI - 1e-9) return;
     for (const double angle : {0.0, division_.sector}) {
-      SymmetryPlane plane{{-std::sin(angle), std::cos(angle), 0}, {}};
+      core::SymmetryPlane plane{{-std::sin(angle), std::cos(angle), 0}, {}};
       for (Index n = 0; n < result_.mesh.node_count(); ++n) {
         const Vector3& x = result_.mesh.nodes[n];
         if (std::abs(plane.normal.dot(x)) < 1e-9 && (x.dot(Vector3(std::cos(angle), std::sin(angle), 0)) >= -1e-12))
@@ -163,6 +169,7 @@ class WallBuilder {
   std::vector<double> ends_;
   WallMesh result_;
   std::map<std::tuple<long long, long long, long long>, Index> numbers_;
+  std::map<std::pair<long long, long long>, std::map<long long, Index>> columns_;
 };
 
 /// The cells around the axis from arc to arc: `rings` along the wall, `around` about the axis between two angles.

@@ -7,18 +7,13 @@
 
 namespace parison::remesh {
 
-/// Nodes of a plane of symmetry through the axis.
-struct SymmetryPlane {
-  core::Vector3 normal;      ///< unit
-  std::vector<Index> nodes;  ///< those on the axis too
-};
-
 /// A wall as layers of hexahedra: i and j of a cell run along the wall, k from the inner side to the outer one.
 struct WallMesh {
   core::HexMesh mesh;
   std::vector<WallCoordinates::Place> section;   ///< by node: where it comes from in the section
   std::vector<core::HexFace> inner, outer, rim;  ///< faces of the sides and of the rim
-  std::vector<SymmetryPlane> planes;
+  std::vector<core::SymmetryPlane> planes;       ///< through the axis
+  std::vector<std::vector<Index>> columns;        ///< nodes through the wall, from the inner side to the outer one
 };
 
 /// How a wall is divided.
