@@ -139,9 +139,9 @@ void Cholesky::analyse(const SymmetricMatrix& matrix) {
   data_->analyse(view(*data_->permuted, upper ? 1 : -1), order);
 }
 
-void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order) {
+void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order, Triangle triangle) {
   data_->permuted.reset();
-  data_->analyse(view(matrix, 1), order);
+  data_->analyse(view(matrix, triangle == Triangle::upper ? 1 : -1), order);
 }
 
 double Cholesky::operations() const {

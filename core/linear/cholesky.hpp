@@ -22,8 +22,9 @@ class Cholesky {
   /// Symbolic analysis with approximate minimum degree (AMD, Amestoy, Davis & Duff 1996).
   void analyse(const SymmetricMatrix& matrix);
   /// The same for the upper triangle of a matrix that is in the order of its elimination itself: order[k] is the number
-  /// that its k-th unknown has in `solve`. The factor is simplicial.
-  void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order);
+  /// that its k-th unknown has in `solve`. The factor is simplicial; of a lower triangle it is supernodal.
+  void analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order,
+                       Triangle triangle = Triangle::upper);
   /// Floating-point operations of a factorisation, known from the analysis.
   double operations() const;
   /// Numeric factorisation; false when the matrix is not positive definite, or a pivot vanishes.

@@ -2,6 +2,7 @@
 #include "core/linear/elimination_order.hpp"
 
 #include <amd.h>
+#include <cholmod.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -81,6 +82,36 @@ std::vector<Index> minimum_fill_order(const std::vector<Index>& layer, const std
     throw RunError(fmt::format("the memory does not suffice to order the unknowns of a matrix (MUMPS {})", status));
   std::vector<Index> order(size);
   for (Index k = 0; k < size; ++k) order[mumps.data.sym_perm[k] - 1] = vertex[k];
+  return order;
+}
+
+std::vector<Index> nested_dissection_order(Index size, const std::vector<std::array<Index, 2>>& edges) {
+  Graph graph = compressed(size, edges, [](Index vertex) { return vertex; });
+  cholmod_common common;
+  cholmod_start(&common);
+  common.print = 0;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_METIS;
+  common.postorder = 1;
+  cholmod_sparse pattern{};  // the rows of the upper triangle are the columns of the lower one
+  pattern.nrow = pattern.ncol = static_cast<std::size_t>(size);
+  pattern.nzmax = graph.neighbour.size();
+  pattern.p = graph.start.data();
+  pattern.i = graph.neighbour.data();
+  pattern.stype = -1;
+  pattern.itype = CHOLMOD_INT;
+  pattern.xtype = CHOLMOD_PATTERN;
+  pattern.sorted = pattern.packed = 1;
+  cholmod_factor* factor = cholmod_analyze(&pattern, &common);
+  std::vector<Index> order;
+  if (factor) {
+    const auto* found = static_cast<const Index*>(factor->Perm);
+    order.assign(found, found + size);
+  }
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+  if (static_cast<Index>(order.size()) != size)
+    throw RunError("the memory does not suffice to order the unknowns of a matrix");
   return order;
 }
 

@@ -20,4 +20,8 @@ std::vector<Index> minimum_degree_order(Index size, const std::vector<std::array
 /// suffice.
 std::vector<Index> minimum_fill_order(const std::vector<Index>& layer, const std::vector<std::array<Index, 2>>& edges);
 
+/// By nested dissection (METIS: G. Karypis & V. Kumar, SIAM J. Sci. Comput. 20 (1998) 359-392), each subtree of the
+/// elimination contiguous: for graphs of bodies in space. Throws RunError where memory does not suffice.
+std::vector<Index> nested_dissection_order(Index size, const std::vector<std::array<Index, 2>>& edges);
+
 }  // namespace parison::core

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solid/hex_geometry.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+namespace parison::core {
+
+namespace {
+
+constexpr int exact_points = 3;  ///< the Jacobian has degree 5 in each coordinate
+
+}  // namespace
+
+HexNodes cell_nodes(const HexMesh& mesh, Index cell) {
+  HexNodes nodes;
+  for (int n = 0; n < HexMesh::nodes_per_cell; ++n) nodes.col(n) = mesh.nodes[mesh.cells[cell][n]];
+  return nodes;
+}
+
+std::array<Index, 9> face_node_numbers(const HexMesh& mesh, const HexFace& face) {
+  std::array<Index, 9> numbers{};
+  const auto& local = hex_face_nodes(face.axis, face.end);
+  for (int n = 0; n < 9; ++n) numbers[n] = mesh.cells[face.cell][local[n]];
+  return numbers;
+}
+
+HexFaceNodes face_nodes(const HexMesh& mesh, const HexFace& face) {
+  HexFaceNodes nodes;
+  const auto numbers = face_node_numbers(mesh, face);
+  for (int n = 0; n < 9; ++n) nodes.col(n) = mesh.nodes[numbers[n]];
+  return nodes;
+}
+
+Eigen::VectorXd cell_volumes(const HexMesh& mesh) {
+  const HexRule& rule = hex_rule(exact_points, exact_points);
+  Eigen::VectorXd volume = Eigen::VectorXd::Zero(mesh.cell_count());
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const HexNodes nodes = cell_nodes(mesh, cell);
+    for (std::size_t q = 0; q < rule.at.size(); ++q)
+      volume[cell] += rule.weight[q] * (nodes * rule.derivative[q].transpose()).determinant();
+  }
+  return volume;
+}
+
+double least_jacobian(const HexMesh& mesh, Index cell) {
+  static const auto derivatives = [] {
+    std::vector<HexGradient> all = hex_rule(exact_points, exact_points).derivative;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) all.push_back(hex_shape_derivative({0.5 * i, 0.5 * j, 0.5 * k}));
+    return all;
+  }();
+  const HexNodes nodes = cell_nodes(mesh, cell);
+  const double centre = (nodes * hex_shape_derivative({0.5, 0.5, 0.5}).transpose()).determinant();
+  if (!(centre > 0)) return -std::numeric_limits<double>::infinity();
+  double least = centre;
+  for (const HexGradient& derivative : derivatives)
+    least = std::min(least, (nodes * derivative.transpose()).determinant());
+  return least / centre;
+}
+
+std::vector<HexFace> boundary_faces(const HexMesh& mesh) {
+  constexpr int middle = 4;  // of the face: its node is no other face's
+  std::vector<int> uses(mesh.nodes.size(), 0);
+  const auto visit = [&](auto&& use) {
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+      for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+          use(HexFace{cell, axis, end}, mesh.cells[cell][hex_face_nodes(axis, end)[middle]]);
+  };
+  visit([&](const HexFace&, Index node) { ++uses[node]; });
+  std::vector<HexFace> faces;
+  visit([&](const HexFace& face, Index node) {
+    if (uses[node] == 1) faces.push_back(face);
+  });
+  return faces;
+}
+
+}  // namespace parison::core

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/solid/flow/cell_matrices.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace parison::flow {
+
+namespace {
+
+using core::HexRule;
+using Gradients = Eigen::Matrix<double, cell_unknowns, Eigen::Dynamic>;
+
+constexpr int points_along = 3;
+/// Gauss points across the wall by the range of ln eta in a column of nodes: {up to, points}. With fewer, a cell's
+/// stiffness is off by more than 1 %.
+constexpr std::array<std::pair<double, int>, 4> points_by_range{{{1, 3}, {3, 4}, {5, 6}, {9, 8}}};
+constexpr int most_points = 12;
+
+/// ln eta at points with such temperatures and positions (one a column).
+Eigen::ArrayXd log_viscosity(const SolidProblem& problem, const Eigen::VectorXd& temperature,
+                             const Eigen::Matrix3Xd& position) {
+  if (!problem.viscosity) return problem.material->viscosity.logarithm(temperature.array());
+  Eigen::ArrayXd value(temperature.size());
+  for (Index q = 0; q < value.size(); ++q) value[q] = std::log(problem.viscosity(position.col(q)));
+  return value;
+}
+
+int points_across(const Eigen::ArrayXd& at_nodes) {
+  double range = 0;
+  for (int column = 0; column < 9; ++column) {
+    const auto [least, most] = std::minmax({at_nodes[column], at_nodes[column + 9], at_nodes[column + 18]});
+    range = std::max(range, most - least);
+  }
+  for (const auto& [up_to, points] : points_by_range)
+    if (range <= up_to) return points;
+  return most_points;
+}
+
+/// From the sum of eta times gradients of two shape functions, (3 node + derivative) by the same, to the matrix.
+void fill_viscous(const CellMatrix& sums, CellMatrix& viscous) {
+  for (int a = 0; a < 27; ++a)
+    for (int b = 0; b <= a; ++b) {
+      const Eigen::Matrix3d block = sums.block<3, 3>(3 * a, 3 * b);
+      Eigen::Matrix3d filled = block.transpose();
+      filled.diagonal().array() += block.trace();
+      viscous.block<3, 3>(3 * a, 3 * b) = filled;
+      viscous.block<3, 3>(3 * b, 3 * a) = filled.transpose();
+    }
+}
+
+}  // namespace
+
+void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, const core::HexShape& temperature,
+                  CellMatrices& result) {
+  const int across = points_across(log_viscosity(problem, temperature, nodes));
+  const HexRule& rule = core::hex_rule(points_along, across);
+  const auto count = static_cast<Index>(rule.at.size());
+  thread_local Gradients gradients, weighted;
+  gradients.resize(cell_unknowns, count);
+  const Eigen::ArrayXd viscosity =
+      log_viscosity(problem, rule.shape.transpose() * temperature, nodes * rule.shape).exp();
+  Eigen::ArrayXd volume(count);
+  Eigen::Matrix<double, 4, Eigen::Dynamic> pressure(4, count);
+  for (Index q = 0; q < count; ++q) {
+    const core::HexPoint point = core::map_hex_point(nodes, rule, static_cast<std::size_t>(q));
+    gradients.col(q) = Eigen::Map<const CellVector>(point.gradient.data());
+    volume[q] = point.volume;
+    pressure.col(q) << 1, rule.at[q].array() - 0.5;
+  }
+  weighted = gradients * (viscosity * volume).matrix().asDiagonal();
+  CellMatrix sums;
+  sums.noalias() = weighted * gradients.transpose();
+  fill_viscous(sums, result.viscous);
+  const Eigen::Matrix<double, 4, Eigen::Dynamic> pressure_volume = pressure * volume.matrix().asDiagonal();
+  result.divergence = pressure_volume * gradients.transpose();
+  result.mass = pressure_volume * pressure.transpose();
+  result.moment = pressure_volume.rowwise().sum();
+  result.mean_viscosity = (viscosity * volume).sum() / volume.sum();
+  result.share = rule.shape * volume.matrix() / result.moment[0];
+}
+
+}  // namespace parison::flow

@@ -1,0 +1,30 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+
+#include "core/solid/hex_element.hpp"
+#include "forming/solid/flow/solid_problem.hpp"
+
+namespace parison::flow {
+
+inline constexpr int cell_unknowns = 81;  ///< velocities of a cell: component + 3 node
+using CellMatrix = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
+using CellVector = Eigen::Matrix<double, cell_unknowns, 1>;
+using CellDivergence = Eigen::Matrix<double, 4, cell_unknowns, Eigen::RowMajor>;
+
+/// What a cell adds to the balance of forces, with its velocities v and pressures p.
+struct CellMatrices {
+  CellMatrix viscous;         ///< int 2 eta D(u):D(v) dV, Pa.s.m
+  CellDivergence divergence;  ///< int q div v dV for the four pressure functions q, m2
+  Eigen::Matrix4d mass;       ///< int q q' dV, m3
+  Eigen::Vector4d moment;     ///< int q dV, m3
+  core::HexShape share;       ///< of each node in the volume
+  double mean_viscosity = 0;  ///< over its volume, Pa.s
+};
+
+/// Over a cell at `nodes`, m, with `temperature` at them, K. The Gauss rule across the wall has the more points the
+/// more the viscosity differs there.
+void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, const core::HexShape& temperature,
+                  CellMatrices& result);
+
+}  // namespace parison::flow

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/solid/flow/solid_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/numbers.hpp"
+#include "core/solid/hex_geometry.hpp"
+#include "forming/solid/flow/surface_loads.hpp"
+#include "forming/solid/flow/tool_contact.hpp"
+
+namespace parison::flow {
+
+namespace {
+
+constexpr double volume_tolerance = 1e-9;
+constexpr double divergence_tolerance = 1e-10;  ///< at an instant, of the largest rate of the pressures' corrections
+constexpr int most_solutions = 30, most_factors = 6;
+constexpr double least_shape = 0.02;  ///< least Jacobian of a cell over that at its centre
+constexpr double most_strain = 0.5;   ///< of a step that is not repeated
+
+HexMesh moved(const HexMesh& mesh, const Eigen::VectorXd& velocity, double time) {
+  HexMesh result = mesh;
+  for (Index node = 0; node < mesh.node_count(); ++node) result.nodes[node] += time * velocity.segment<3>(3 * node);
+  return result;
+}
+
+Eigen::VectorXd loads(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& mesh,
+                      const Eigen::VectorXd& mass) {
+  Eigen::VectorXd force = pressure_forces(problem, mesh) + surface_tension_forces(problem, mesh);
+  if (problem.gravity != 0) force += matrix.weight(problem.gravity, mass);
+  return force;
+}
+
+/// Integrals of the pressure functions times an expansion of each cell.
+Eigen::VectorXd integrals(const FlowMatrix& matrix, const Eigen::VectorXd& rate) {
+  Eigen::VectorXd result(4 * rate.size());
+  for (Index cell = 0; cell < rate.size(); ++cell) result.segment<4>(4 * cell) = rate[cell] * matrix.moment(cell);
+  return result;
+}
+
+/// The density of a cell over that at the reference, from the mean of its nodes by volume.
+Eigen::VectorXd densities(const Material& material, const HexMesh& mesh, const Eigen::VectorXd& temperature) {
+  Eigen::VectorXd density = Eigen::VectorXd::Constant(mesh.cell_count(), material.density);
+  if (material.relative_density.x.empty()) return density;
+  constexpr int points = 3;
+  const core::HexRule& rule = core::hex_rule(points, points);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const core::HexNodes nodes = core::cell_nodes(mesh, cell);
+    core::HexShape own;
+    for (int n = 0; n < HexMesh::nodes_per_cell; ++n) own[n] = temperature[mesh.cells[cell][n]];
+    double mass = 0, volume = 0;
+    for (std::size_t q = 0; q < rule.at.size(); ++q) {
+      const double part = core::map_hex_point(nodes, rule, q).volume;
+      volume += part;
+      mass += part * material.relative_density(rule.shape.col(static_cast<Index>(q)).dot(own));
+    }
+    density[cell] *= mass / volume;
+  }
+  return density;
+}
+
+}  // namespace
+
+Eigen::VectorXd volumes_by_mass(const Material& material, const SolidGlass& glass) {
+  return glass.cell_mass.cwiseQuotient(densities(material, glass.mesh, glass.temperature));
+}
+
+Eigen::VectorXd masses_by_volume(const Material& material, const HexMesh& mesh, const Eigen::VectorXd& temperature) {
+  return core::cell_volumes(mesh).cwiseProduct(densities(material, mesh, temperature));
+}
+
+SolidVelocity solve_instant(const SolidProblem& problem, FlowMatrix& matrix, const SolidGlass& glass,
+                            const Eigen::VectorXd& expansion) {
+  matrix.assemble(problem, glass.mesh, glass.temperature);
+  matrix.factorise();
+  const Eigen::VectorXd force = loads(problem, matrix, glass.mesh, glass.cell_mass);
+  const Index cells = glass.mesh.cell_count();
+  const Eigen::VectorXd wanted = integrals(matrix, expansion.size() ? expansion : Eigen::VectorXd::Zero(cells));
+  SolidVelocity result;
+  result.pressure = glass.pressure.size() == 4 * cells ? glass.pressure : Eigen::VectorXd::Zero(4 * cells);
+  for (double first = 0; result.solutions < most_solutions;) {
+    result.velocity = matrix.solve(force, result.pressure, wanted);
+    ++result.solutions;
+    const Eigen::VectorXd corrected = matrix.corrected_pressure(result.velocity, result.pressure, wanted);
+    const double change = (corrected - result.pressure).norm();
+    result.pressure = corrected;
+    first = std::max({first, change, corrected.norm()});
+    if (change <= divergence_tolerance * first) break;
+  }
+  return result;
+}
+
+namespace {
+
+/// Of a step, from one velocity to the next with the same matrix.
+struct Motion {
+  const FlowMatrix& matrix;
+  const HexMesh& start;
+  const Eigen::VectorXd& volumes;  ///< wanted at the end, m3
+  double dt;
+  Eigen::VectorXd velocity, pressure;
+
+  /// What the volumes lack at the end, m3.
+  Eigen::VectorXd lack() const { return volumes - core::cell_volumes(moved(start, velocity, dt)); }
+  /// The largest lack, and moment of it within a cell, as a share of its volume.
+  double error(const Eigen::VectorXd& lacking) const {
+    const Eigen::VectorXd flux = matrix.divergence(velocity);
+    double worst = 0;
+    for (Index cell = 0; cell < volumes.size(); ++cell) {
+      const Eigen::Vector4d& moment = matrix.moment(cell);
+      const Eigen::Vector4d rest = flux.segment<4>(4 * cell) - moment * (flux[4 * cell] / moment[0]);
+      worst = std::max({worst, std::abs(lacking[cell]) / volumes[cell], dt * rest.norm() / volumes[cell]});
+    }
+    return worst;
+  }
+  /// Solves for the velocity with which the volumes lack nothing, but for what the motion bends meanwhile.
+  void solve(const Eigen::VectorXd& force, const Eigen::VectorXd& lacking) {
+    const Eigen::VectorXd flux = matrix.divergence(velocity);
+    Eigen::VectorXd rate(volumes.size());
+    for (Index cell = 0; cell < volumes.size(); ++cell)
+      rate[cell] = (flux[4 * cell] + lacking[cell] / dt) / matrix.moment(cell)[0];
+    const Eigen::VectorXd wanted = integrals(matrix, rate);
+    velocity = matrix.solve(force, pressure, wanted);
+    pressure = matrix.corrected_pressure(velocity, pressure, wanted);
+  }
+};
+
+bool is_folded(const HexMesh& mesh) {
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    if (core::least_jacobian(mesh, cell) < least_shape) return true;
+  return false;
+}
+
+/// Solves until contact and volumes are right.
+void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& force, Motion& motion, SolidStep& step) {
+  contact.add_changes(matrix);
+  matrix.factorise();
+  step.factors = 1;
+  Eigen::VectorXd lacking = motion.lack();
+  while (step.solutions < most_solutions) {
+    motion.solve(force + contact.forces(), lacking);
+    ++step.solutions;
+    contact.look(motion.velocity);
+    lacking = motion.lack();
+    step.volume_error = motion.error(lacking);
+    if (step.factors < most_factors && (step.points_in_doubt = contact.choose()) > 0) {
+      contact.add_changes(matrix);
+      matrix.factorise();
+      ++step.factors;
+      continue;
+    }
+    if (step.volume_error <= volume_tolerance) break;
+  }
+}
+
+}  // namespace
+
+SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt) {
+  SolidStep step;
+  step.dt = dt;
+  if (glass.velocity.size() == 0) {
+    SolidVelocity first = solve_instant(problem, matrix, glass);
+    glass.velocity = std::move(first.velocity);
+    glass.pressure = std::move(first.pressure);
+  }
+  const HexMesh middle = moved(glass.mesh, glass.velocity, 0.5 * dt);
+  if (is_folded(middle)) return step;
+  matrix.assemble(problem, middle, glass.temperature);
+  const Eigen::VectorXd volumes = volumes_by_mass(*problem.material, glass);
+  Motion motion{matrix, glass.mesh, volumes, dt, glass.velocity, glass.pressure};
+  ToolContact contact(problem, matrix, glass.mesh, middle, glass.temperature, glass.velocity, dt);
+  balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
+  step.strain = dt * strain_rate(middle, motion.velocity);
+  HexMesh end = moved(glass.mesh, motion.velocity, dt);
+  if (!(step.strain < most_strain) || !(step.volume_error <= volume_tolerance) || is_folded(end)) return step;
+  step.accepted = true;
+  step.tool_forces = contact.tool_forces();
+  glass.contact = contact.contact();
+  glass.mesh.nodes = std::move(end.nodes);
+  glass.velocity = std::move(motion.velocity);
+  glass.pressure = std::move(motion.pressure);
+  return step;
+}
+
+double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {
+  constexpr int points = 2;
+  const core::HexRule& rule = core::hex_rule(points, points);
+  double worst = 0;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const core::HexNodes nodes = core::cell_nodes(mesh, cell);
+    core::HexNodes own;
+    for (int n = 0; n < HexMesh::nodes_per_cell; ++n) own.col(n) = velocity.segment<3>(3 * mesh.cells[cell][n]);
+    for (std::size_t q = 0; q < rule.at.size(); ++q) {
+      const Eigen::Matrix3d slope = own * core::map_hex_point(nodes, rule, q).gradient.transpose();
+      worst = std::max(worst, (0.5 * (slope + slope.transpose())).squaredNorm());
+    }
+  }
+  return std::sqrt(2.0 / 3 * worst);
+}
+
+double propose_step(const SolidProblem& problem, const SolidGlass& glass, double strain_rate, double last,
+                    const SolidStepLimits& limits) {
+  double dt = last > 0 ? std::min(limits.longest, limits.growth * last) : limits.longest;
+  if (strain_rate > 0) dt = std::min(dt, limits.strain / strain_rate);
+  if (glass.velocity.size() == 0) return dt;
+  for (const HexFace& face : problem.contact_faces) {
+    const auto nodes = core::face_node_numbers(glass.mesh, face);
+    for (const auto& at : core::map_hex_face(core::face_nodes(glass.mesh, face), face, contact_points_along)) {
+      Vector3 velocity = Vector3::Zero();
+      for (int n = 0; n < 9; ++n) velocity += at.shape[n] * glass.velocity.segment<3>(3 * nodes[n]);
+      for (const SolidTool& tool : problem.tools) {
+        const contact::SurfaceGap gap = tool.surface->gap(at.position - tool.offset);
+        const double closing = -gap.normal.dot(velocity - tool.velocity);
+        if (gap.distance > 0 && closing * dt > gap.distance + limits.landing)
+          dt = (gap.distance + limits.landing) / closing;
+      }
+    }
+  }
+  return dt;
+}
+
+}  // namespace parison::flow

@@ -1,0 +1,53 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+#include <vector>
+
+#include "forming/solid/flow/flow_matrix.hpp"
+
+namespace parison::flow {
+
+/// Velocities and pressures of glass at an instant.
+struct SolidVelocity {
+  Eigen::VectorXd velocity;  ///< three for each node, m/s
+  Eigen::VectorXd pressure;  ///< four for each cell, as SolidGlass::pressure, Pa
+  int solutions = 0;         ///< for the corrections of the pressure
+};
+/// Without tools; `expansion` is div v of each cell, 1/s, empty for none.
+SolidVelocity solve_instant(const SolidProblem& problem, FlowMatrix& matrix, const SolidGlass& glass,
+                            const Eigen::VectorXd& expansion = {});
+
+/// What a step did.
+struct SolidStep {
+  bool accepted = false;  ///< otherwise the glass is as before
+  double dt = 0;          ///< s
+  double strain = 0;      ///< largest of a cell
+  int factors = 0, solutions = 0;
+  double volume_error = 0;           ///< of the worst cell, as a share of it
+  Index points_in_doubt = 0;         ///< of contact, that still press or pull without touching
+  std::vector<Vector3> tool_forces;  ///< on each tool, N
+};
+
+/// The volume of each cell, m3, by its mass and the density at its temperature.
+Eigen::VectorXd volumes_by_mass(const Material& material, const SolidGlass& glass);
+/// Masses, kg, that give the cells the volumes they have.
+Eigen::VectorXd masses_by_volume(const Material& material, const HexMesh& mesh, const Eigen::VectorXd& temperature);
+
+/// Moves the glass over a step `dt`, s: of second order, by the velocities on the configuration expected in its middle;
+/// volumes are exact. `matrix` belongs to the mesh and the conditions of the problem.
+SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
+
+/// What a step may do.
+struct SolidStepLimits {
+  double strain = 0.15;
+  double landing = 2e-4;  ///< way of a point, m, that it would go beyond the tool that it lands on
+  double growth = 1.5;    ///< on the step before
+  double longest = 1;     ///< s
+};
+/// The step, s, after one with the last velocity and `strain_rate`, 1/s; `last`, s, of 0 for none.
+double propose_step(const SolidProblem& problem, const SolidGlass& glass, double strain_rate, double last,
+                    const SolidStepLimits& limits);
+/// The largest rate of strain of a cell, sqrt(2/3 D:D), 1/s.
+double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity);
+
+}  // namespace parison::flow

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/solid/flow/tool_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/math/numbers.hpp"
+#include "core/solid/hex_geometry.hpp"
+
+namespace parison::flow {
+
+namespace {
+
+/// kappa in viscosities of the cell over the size of the face: the glass enters the tool by less than a thousandth of a
+/// face where a step strains it as much as it may.
+constexpr double stiffness_factor = 1e3;
+/// A gap of glass that rests stays as it is up to this share of a face: no pressure irons out that a quadratic face and
+/// the tool differ.
+constexpr double tolerated_share = 1e-3;
+/// A point that would pass through the tool by less than this share of a face lands in the next step.
+constexpr double passed_share = 5e-3;
+constexpr double bearable_tension = 0.05;  ///< share of the mean pressure of contact
+/// Points further than this many times the largest way of the step do not touch.
+constexpr double reach_of_ways = 4;
+constexpr double grip_drag = 1e9;    ///< Pa.s/m, as in two dimensions
+constexpr double grip_reach = 1e-3;  ///< m
+
+double largest(const Eigen::VectorXd& velocity) {
+  double square = 0;
+  for (Index n = 0; 3 * n < velocity.size(); ++n) square = std::max(square, velocity.segment<3>(3 * n).squaredNorm());
+  return std::sqrt(square);
+}
+
+Vector3 at_point(const Eigen::VectorXd& space, const std::array<Index, 9>& nodes,
+                 const Eigen::Matrix<double, 9, 1>& shape) {
+  Vector3 sum = Vector3::Zero();
+  for (int n = 0; n < 9; ++n) sum += shape[n] * space.segment<3>(3 * nodes[n]);
+  return sum;
+}
+
+}  // namespace
+
+/// The nearest tool, a time after the start of the step.
+void ToolContact::nearest(const Vector3& at, double time, Point& point) const {
+  point.gap = core::infinity;
+  point.tool = -1;
+  for (std::size_t k = 0; k < problem_->tools.size(); ++k) {
+    const SolidTool& tool = problem_->tools[k];
+    const contact::SurfaceGap gap = tool.surface->gap(at - tool.offset - time * tool.velocity);
+    if (gap.distance >= point.gap) continue;
+    point.gap = gap.distance;
+    point.normal = gap.normal;
+    point.tool = static_cast<Index>(k);
+  }
+}
+
+ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start,
+                         const HexMesh& middle, const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
+                         double dt)
+    : problem_(&problem), start_(&start), dt_(dt) {
+  double fastest = largest(velocity);
+  for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
+  for (std::size_t f = 0; f < problem.contact_faces.size(); ++f) {
+    const HexFace& face = problem.contact_faces[f];
+    const auto nodes = core::face_node_numbers(start, face);
+    const core::HexFaceNodes positions = core::face_nodes(start, face);
+    const auto mapped = core::map_hex_face(core::face_nodes(middle, face), face, contact_points_along);
+    double area = 0;
+    for (const auto& at : mapped) area += at.area;
+    const double size = std::sqrt(area);
+    for (const auto& at : mapped) {
+      Point point;
+      point.face = static_cast<Index>(f);
+      point.shape = at.shape;
+      point.area = at.area;
+      point.stiffness = stiffness_factor * matrix.mean_viscosity(face.cell) / size;
+      nearest(positions * at.shape, 0, point);
+      far_.push_back({point.tool, point.gap, 0, false});
+      if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * size) continue;
+      point.start_gap = point.gap;
+      point.tolerated = std::clamp(point.gap, -tolerated_share * size, 0.0);
+      point.tied = problem.tools[point.tool].friction.law == Friction::Law::grip && point.gap <= grip_reach;
+      place_.push_back(static_cast<Index>(far_.size()) - 1);
+      points_.push_back(point);
+      double own = 0;
+      for (int n = 0; n < 9; ++n) own += at.shape[n] * temperature[nodes[n]];
+      points_.back().drag = own;  // until the tool is known that it meets
+    }
+  }
+  look(velocity);
+  for (Point& point : points_) {
+    set_friction(point, point.drag, point.velocity);
+    point.touches = point.tied || pressure(point) > 0;
+  }
+}
+
+/// With the velocity that is expected: until glass lands it slides by that.
+void ToolContact::set_friction(Point& point, double temperature, const Vector3& expected) const {
+  const auto& [surface, offset, velocity, friction] = problem_->tools[point.tool];
+  if (point.start_gap > 0 && point.gap < 0) point.share_after_landing = point.gap / (point.gap - point.start_gap);
+  point.slide_target = velocity + (1 - point.share_after_landing) * (expected - velocity);
+  if (point.tied)
+    point.drag = grip_drag;
+  else if (friction.law == Friction::Law::navier)
+    point.drag = friction.coefficient_at(temperature) * point.share_after_landing;
+  else
+    point.drag = friction.law == Friction::Law::slip ? 0 : point.stiffness;
+}
+
+void ToolContact::look(const Eigen::VectorXd& velocity) {
+  velocity_ = velocity;
+  Index face = -1;
+  std::array<Index, 9> nodes{};
+  core::HexFaceNodes positions;
+  for (Point& point : points_) {
+    if (point.face != face) {
+      face = point.face;
+      nodes = core::face_node_numbers(*start_, problem_->contact_faces[face]);
+      positions = core::face_nodes(*start_, problem_->contact_faces[face]);
+    }
+    point.velocity = at_point(velocity, nodes, point.shape);
+    nearest(positions * point.shape + dt_ * point.velocity, dt_, point);
+  }
+}
+
+double ToolContact::pressure(const Point& point) const {
+  return -point.stiffness * (point.gap - point.tolerated) / dt_;
+}
+
+Vector3 ToolContact::traction(const Point& point) const {
+  if (point.tied) return -point.drag * (point.velocity - problem_->tools[point.tool].velocity);
+  const Vector3 slip = point.velocity - point.slide_target;
+  return pressure(point) * point.normal - point.drag * (slip - slip.dot(point.normal) * point.normal);
+}
+
+/// Minus the derivative of the traction.
+Eigen::Matrix3d ToolContact::slope(const Point& point) const {
+  if (point.tied) return point.drag * Eigen::Matrix3d::Identity();
+  return point.drag * Eigen::Matrix3d::Identity() +
+         (point.stiffness - point.drag) * point.normal * point.normal.transpose();
+}
+
+Index ToolContact::choose() {
+  double force = 0, area = 0;
+  for (const Point& point : points_)
+    if (point.touches) {
+      force += std::max(pressure(point), 0.0) * point.area;
+      area += point.area;
+    }
+  const double bearable = area > 0 ? bearable_tension * force / area : 0;
+  Index changed = 0;
+  for (Point& point : points_) {
+    if (point.tied) continue;
+    const double passes = passed_share * point.stiffness / dt_ * std::sqrt(point.area * contact_points_per_face);
+    const double p = pressure(point);
+    const bool touches = point.touches ? p > -bearable : p > passes;
+    if (touches != point.touches) ++changed;
+    point.touches = touches;
+  }
+  return changed;
+}
+
+void ToolContact::add_changes(FlowMatrix& matrix) {
+  CellMatrix sum;
+  for (std::size_t first = 0, last = 0; first < points_.size(); first = last) {
+    const HexFace& face = problem_->contact_faces[points_[first].face];
+    const auto& local = core::hex_face_nodes(face.axis, face.end);
+    bool is_changed = false;
+    for (last = first; last < points_.size() && points_[last].face == points_[first].face; ++last) {
+      Point& point = points_[last];
+      if (point.touches == point.is_added) continue;
+      if (!std::exchange(is_changed, true)) sum.setZero();
+      const Eigen::Matrix3d added = point.touches ? slope(point) : -point.added;
+      for (int a = 0; a < 9; ++a)
+        for (int b = 0; b < 9; ++b)
+          sum.block<3, 3>(3 * local[a], 3 * local[b]) += point.area * point.shape[a] * point.shape[b] * added;
+      point.added = point.touches ? added : Eigen::Matrix3d::Zero();
+      point.is_added = point.touches;
+    }
+    if (is_changed) matrix.add(face.cell, sum);
+  }
+}
+
+Eigen::VectorXd ToolContact::forces() const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(3 * start_->node_count());
+  for (const Point& point : points_) {
+    if (!point.is_added) continue;
+    const Vector3 force = point.area * (traction(point) + point.added * point.velocity);
+    const auto nodes = core::face_node_numbers(*start_, problem_->contact_faces[point.face]);
+    for (int n = 0; n < 9; ++n) forces.segment<3>(3 * nodes[n]) += point.shape[n] * force;
+  }
+  return forces;
+}
+
+std::vector<SolidContact> ToolContact::contact() const {
+  std::vector<SolidContact> all = far_;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const Point& point = points_[k];
+    const double p = point.tied ? traction(point).dot(point.normal) : std::max(pressure(point), 0.0);
+    all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, point.touches};
+  }
+  return all;
+}
+
+std::vector<Vector3> ToolContact::tool_forces() const {
+  std::vector<Vector3> forces(problem_->tools.size(), Vector3::Zero());
+  for (const Point& point : points_)
+    if (point.touches) forces[point.tool] -= point.area * traction(point);
+  return forces;
+}
+
+}  // namespace parison::flow

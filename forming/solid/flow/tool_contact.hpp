@@ -1,0 +1,64 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/solid/hex_element.hpp"
+#include "forming/solid/flow/flow_matrix.hpp"
+
+namespace parison::flow {
+
+/// Contact of the glass with tools over a step. At the points of faces the gap that the step ends with is held by
+/// p = -kappa (gap - tolerated)/dt, where that presses; kappa is so large that the gap is micrometres. Friction acts on
+/// the velocity along the tool. Both are linear in the velocity while the points that touch stay the same.
+class ToolContact {
+ public:
+  /// For a step `dt`, s, from `start` with the balance of forces at `middle`. `velocity` is expected, three for each
+  /// node, m/s: by it the points that touch are chosen.
+  ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start, const HexMesh& middle,
+              const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity, double dt);
+
+  /// Looks at the end of the step with another velocity.
+  void look(const Eigen::VectorXd& velocity);
+  /// Chooses anew which points touch, after `look`; the number that press or pull more than a little without it.
+  Index choose();
+  /// Adds to the matrix what was chosen since the last call.
+  void add_changes(FlowMatrix& matrix);
+  /// Forces on the nodes, N, three for each, at the velocity looked at; with what the matrix has for that velocity.
+  Eigen::VectorXd forces() const;
+  /// Contact at each point, and the force on each tool, N.
+  std::vector<SolidContact> contact() const;
+  std::vector<Vector3> tool_forces() const;
+
+ private:
+  struct Point {
+    Index face = 0;
+    Eigen::Matrix<double, 9, 1> shape;
+    double area = 0, stiffness = 0, drag = 0, tolerated = 0, start_gap = 0;
+    double share_after_landing = 1;
+    Vector3 slide_target = Vector3::Zero();  ///< m/s
+    Index tool = -1;
+    bool tied = false, touches = false;
+    // At the velocity looked at.
+    Vector3 velocity = Vector3::Zero(), normal = Vector3::Zero();
+    double gap = 0;
+    // In the matrix.
+    bool is_added = false;
+    Eigen::Matrix3d added = Eigen::Matrix3d::Zero();  ///< Pa.s/m
+  };
+  void nearest(const Vector3& at, double time, Point& point) const;
+  void set_friction(Point& point, double temperature, const Vector3& expected) const;
+  double pressure(const Point& point) const;
+  Vector3 traction(const Point& point) const;
+  Eigen::Matrix3d slope(const Point& point) const;
+
+  const SolidProblem* problem_;
+  const HexMesh* start_;
+  double dt_;
+  std::vector<Point> points_;  ///< that may touch
+  std::vector<Index> place_;   ///< of each in contact()
+  std::vector<SolidContact> far_;
+  Eigen::VectorXd velocity_;
+};
+
+}  // namespace parison::flow
