@@ -61,21 +61,4 @@ double least_jacobian(const HexMesh& mesh, Index cell) {
   return least / centre;
 }
 
-std::vector<HexFace> boundary_faces(const HexMesh& mesh) {
-  constexpr int middle = 4;  // of the face: its node is no other face's
-  std::vector<int> uses(mesh.nodes.size(), 0);
-  const auto visit = [&](auto&& use) {
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-      for (int axis = 0; axis < 3; ++axis)
-        for (int end = 0; end < 2; ++end)
-          use(HexFace{cell, axis, end}, mesh.cells[cell][hex_face_nodes(axis, end)[middle]]);
-  };
-  visit([&](const HexFace&, Index node) { ++uses[node]; });
-  std::vector<HexFace> faces;
-  visit([&](const HexFace& face, Index node) {
-    if (uses[node] == 1) faces.push_back(face);
-  });
-  return faces;
-}
-
 }  // namespace parison::core

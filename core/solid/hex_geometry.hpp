@@ -18,7 +18,4 @@ Eigen::VectorXd cell_volumes(const HexMesh& mesh);
 /// The least Jacobian of a cell at its nodes and Gauss points over that at its centre: not positive where it is folded.
 double least_jacobian(const HexMesh& mesh, Index cell);
 
-/// The faces that belong to one cell only.
-std::vector<HexFace> boundary_faces(const HexMesh& mesh);
-
 }  // namespace parison::core

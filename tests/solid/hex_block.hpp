@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/solid/hex_geometry.hpp"
+#include "core/solid/quad_face.hpp"
 #include "forming/solid/flow/solid_flow.hpp"
 
 namespace parison::tests {

@@ -13,13 +13,8 @@ namespace parison::flow {
 using core::HexFace;
 using core::HexMesh;
 using core::Index;
+using core::SymmetryPlane;
 using core::Vector3;
-
-/// A plane that nodes do not leave and along which nothing drags.
-struct SymmetryPlane {
-  Vector3 normal;  ///< unit
-  std::vector<Index> nodes;
-};
 
 /// Gas that presses on faces of the glass.
 struct FacePressure {

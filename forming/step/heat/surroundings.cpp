@@ -70,6 +70,12 @@ std::vector<std::optional<thermal::SurfaceExchange>> surroundings(const Scene& s
   return result;
 }
 
+thermal::SurfaceExchange air_at_glass(const Scene& scene, const State& state, bool inside) {
+  thermal::SurfaceExchange exchange = air_at(state, scene.stages[state.stage], glass_body, inside ? inner_side : "");
+  exchange.emissivity = scene.glass.emissivity;
+  return exchange;
+}
+
 thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Index body, const core::Mesh& mesh) {
   thermal::SurfaceLight light{{}, body_of(scene, body).emissivity};
   const Stage& stage = scene.stages[state.stage];

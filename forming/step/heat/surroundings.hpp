@@ -15,6 +15,9 @@ namespace parison::forming {
 std::vector<std::optional<thermal::SurfaceExchange>> surroundings(const Scene& scene, const State& state, Index body,
                                                                   const core::Mesh& mesh);
 
+/// What the glass exchanges heat with in the air of the present stage, outside or inside, as an opaque grey surface.
+thermal::SurfaceExchange air_at_glass(const Scene& scene, const State& state, bool inside);
+
 /// What the light of a body meets at each boundary of its mesh where no tool stands, the surroundings of the air there,
 /// and where the body is. With an enclosure every body in place has surroundings.
 thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Index body, const core::Mesh& mesh);

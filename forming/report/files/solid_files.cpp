@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/files/solid_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/io/json.hpp"
+#include "core/io/written_files.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+constexpr const char* folder_name = "/solid";
+
+double celsius(double kelvin) {
+  return kelvin - thermal::content_reference;
+}
+
+std::vector<std::string> body_names(const Scene& scene, const SolidState& solid) {
+  std::vector<std::string> names{"glass"};
+  for (const SolidTool& tool : solid.tools) names.push_back(scene.tools[tool.tool].name);
+  return names;
+}
+
+/// Makes the folder, without the fields of an earlier run.
+std::string own_folder(const std::string& result, const std::vector<std::string>& bodies) {
+  const std::string directory = result + folder_name;
+  core::claim_folder(directory, "run", {"history.csv", "wall.csv", "summary.json"});
+  for (const std::string& body : bodies)
+    for (std::size_t output = 0;; ++output) {
+      const std::string path = fmt::format("{}/{}_{:04}.vtu", directory, body, output);
+      if (!std::filesystem::exists(path)) break;
+      core::remove_own(path);
+    }
+  return directory;
+}
+
+/// What touches at each node of the glass: the share of the points around it, and their mean pressure, Pa.
+struct NodalContact {
+  Eigen::VectorXd share, pressure;
+};
+NodalContact nodal_contact(const SolidState& solid) {
+  const Index nodes = solid.glass.mesh.node_count();
+  NodalContact contact{Eigen::VectorXd::Zero(nodes), Eigen::VectorXd::Zero(nodes)};
+  if (solid.glass.contact.empty()) return contact;
+  Eigen::VectorXd around = Eigen::VectorXd::Zero(nodes);
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    double touching = 0, pressure = 0;
+    for (std::size_t p = 0; p < flow::contact_points_per_face; ++p) {
+      const flow::SolidContact& point = solid.glass.contact[f * flow::contact_points_per_face + p];
+      touching += point.touches;
+      pressure += point.touches ? point.pressure : 0;
+    }
+    for (const Index node : solid.heat_faces[f].nodes) {
+      around[node] += flow::contact_points_per_face;
+      contact.share[node] += touching;
+      contact.pressure[node] += pressure;
+    }
+  }
+  for (Index n = 0; n < nodes; ++n)
+    if (around[n] > 0) contact.share[n] /= around[n], contact.pressure[n] /= around[n];
+  return contact;
+}
+
+core::VtuFields glass_fields_of(const State& clock, const SolidState& solid) {
+  core::VtuFields fields;
+  fields.time = clock.time;
+  fields.nodal.push_back({"temperature_degC", (solid.glass.temperature.array() - thermal::content_reference).matrix()});
+  Eigen::VectorXd wall = Eigen::VectorXd::Zero(solid.glass.mesh.node_count());
+  for (const SolidWallPoint& point : solid_wall(solid).points) wall[point.outer] = 1e3 * point.thickness;
+  for (const auto& column : solid.columns)
+    for (const Index node : column) wall[node] = wall[column.back()];
+  fields.nodal.push_back({"wall_thickness_mm", wall});
+  if (solid.glass.velocity.size() > 0) fields.nodal.push_back({"velocity_mm_s", 1e3 * solid.glass.velocity});
+  const NodalContact contact = nodal_contact(solid);
+  fields.nodal.push_back({"share_in_contact", contact.share});
+  fields.nodal.push_back({"contact_pressure_Pa", contact.pressure});
+  return fields;
+}
+
+}  // namespace
+
+SolidFiles::SolidFiles(const Scene& scene, const std::string& result, const SolidState& solid)
+    : scene_(scene),
+      directory_(own_folder(result, body_names(scene, solid))),
+      names_(body_names(scene, solid)),
+      history_(directory_ + "/history.csv", 0) {
+  for (const std::string& name : names_) {
+    collections_.emplace_back(directory_ + '/' + name + ".pvd");
+    collections_.back().set({});
+  }
+  history_.append(
+      "time_s,stage,dt_s,steps,glass_mean_degC,glass_min_degC,glass_max_degC,largest_volume_error,heat_to_tools_J,heat_to_"
+      "air_J\n");
+}
+
+std::string SolidFiles::file(std::size_t body, std::size_t output) const {
+  return fmt::format("{}_{:04}.vtu", names_[body], output);
+}
+
+void SolidFiles::row(const State& clock, const SolidState& solid) {
+  const double mean = solid.glass.temperature.mean();
+  history_.append(fmt::format("{:.9g},{},{:.6g},{},{:.3f},{:.3f},{:.3f},{:.3g},{:.8g},{:.8g}\n", clock.time,
+                              scene_.stages[clock.stage].name, solid.last_step, solid.totals.steps, celsius(mean),
+                              celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()),
+                              solid.totals.volume_error, solid.totals.to_tools / solid.share,
+                              solid.totals.to_air / solid.share));
+}
+
+void SolidFiles::fields(const State& clock, const SolidState& solid) {
+  if (clock.time == last_output_) return;
+  last_output_ = clock.time;
+  core::write_vtu(directory_ + '/' + file(0, outputs_), solid.glass.mesh, glass_fields_of(clock, solid));
+  for (std::size_t t = 0; t < solid.tools.size(); ++t) {
+    const SolidTool& tool = solid.tools[t];
+    core::VtuFields fields;
+    fields.time = clock.time;
+    fields.displacement = clock.tools[tool.tool].offset * core::axis_direction();
+    fields.nodal.push_back({"temperature_degC", (tool.temperature.array() - thermal::content_reference).matrix()});
+    core::write_vtu(directory_ + '/' + file(1 + t, outputs_), tool.mesh, fields);
+  }
+  for (std::size_t body = 0; body < names_.size(); ++body) collections_[body].add(clock.time, file(body, outputs_));
+  ++outputs_;
+}
+
+void write_solid_summary(const Scene& scene, const std::string& result, const SolidState& solid, const SolidWall& wall) {
+  const std::string directory = result + folder_name;
+  core::replace_file(directory + "/wall.csv", solid_wall_csv(wall));
+  core::JsonWriter json;
+  json.add("case", scene.name);
+  json.add("sector_deg", scene.solid->sector * 180 / M_PI);
+  json.add("cells", static_cast<long>(solid.glass.mesh.cell_count()));
+  json.add("steps", static_cast<long>(solid.totals.steps));
+  json.add("rejected_steps", static_cast<long>(solid.totals.rejected));
+  json.add("factorisations", static_cast<long>(solid.totals.factors));
+  json.add("glass_mass_kg", solid.point_mass.sum() / solid.share);
+  const auto place = [&](const char* name, const SolidWallPoint& point) {
+    json.open_object(name);
+    json.add("thickness_mm", 1e3 * point.thickness);
+    for (const auto& [key, axis] : {std::pair{"x_mm", 0}, {"y_mm", 1}, {"z_mm", 2}}) json.add(key, 1e3 * point.at[axis]);
+    json.close();
+  };
+  place("thinnest", wall.points[wall.thinnest]);
+  place("thickest", wall.points[wall.thickest]);
+  json.add("mean_thickness_mm", 1e3 * wall.mean);
+  json.add("capacity_ml", 1e6 * wall.capacity);
+  json.add("outer_side_in_contact", wall.touching);
+  json.add("largest_volume_error", solid.totals.volume_error);
+  json.add("heat_to_tools_J", solid.totals.to_tools / solid.share);
+  json.add("heat_to_air_J", solid.totals.to_air / solid.share);
+  json.add("heat_imbalance", solid.totals.heat_imbalance / std::abs(solid.totals.start_heat));
+  json.open_object("tools");
+  for (const SolidTool& tool : solid.tools) {
+    json.open_object(scene.tools[tool.tool].name);
+    json.add("heat_received_J", tool.heat_received / solid.share);
+    json.add("temperature_max_degC", celsius(tool.temperature.maxCoeff()));
+    json.close();
+  }
+  json.close();
+  core::replace_file(directory + "/summary.json", json.text());
+}
+
+std::string solid_table(const Scene& scene, const SolidState& solid, const SolidWall& wall) {
+  const auto place = [&](std::size_t point) {
+    const SolidWallPoint& at = wall.points[point];
+    return fmt::format("{:.2f} mm at x {:.1f}, y {:.1f}, z {:.1f} mm", 1e3 * at.thickness, 1e3 * at.at[0],
+                       1e3 * at.at[1], 1e3 * at.at[2]);
+  };
+  const double mean = solid.glass.temperature.mean();
+  std::string text = fmt::format("  the glass in space, a sector of {:.0f} deg\n", scene.solid->sector * 180 / M_PI);
+  text += fmt::format("  {:<22}{} cells, {} steps, {} rejected\n", "mesh", solid.glass.mesh.cell_count(),
+                      solid.totals.steps, solid.totals.rejected);
+  text += fmt::format("  {:<22}{:.2f} mm in the mean\n", "wall", 1e3 * wall.mean);
+  text += fmt::format("  {:<22}{}\n", "thinnest", place(wall.thinnest));
+  text += fmt::format("  {:<22}{}\n", "thickest", place(wall.thickest));
+  text += fmt::format("  {:<22}{:.1f} ml to the rim\n", "capacity", 1e6 * wall.capacity);
+  text += fmt::format("  {:<22}{:.1f} % of the outer side\n", "touching", 100 * wall.touching);
+  text += fmt::format("  {:<22}{:.0f} degC in the mean of its nodes, {:.0f} to {:.0f}\n", "glass", celsius(mean),
+                      celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()));
+  text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat", 1e-3 * solid.totals.to_tools / solid.share,
+                      1e-3 * solid.totals.to_air / solid.share);
+  if (scene.has_light())
+    text += fmt::format("  {:<22}conducted (Rosseland, thin walls); before it was by {}\n", "light in the glass",
+                        model_name(scene.glass.thermal->radiation));
+  return text;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,41 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "core/io/files.hpp"
+#include "core/io/vtu.hpp"
+#include "forming/report/wall/solid_wall.hpp"
+
+namespace parison::forming {
+
+/// The files of glass in space, in the folder `solid` of a result: fields of glass and tools for ParaView, history.csv,
+/// and at the end wall.csv and summary.json. They observe and never steer.
+class SolidFiles {
+ public:
+  /// Removes what an earlier run of the same case left there.
+  SolidFiles(const Scene& scene, const std::string& result, const SolidState& solid);
+
+  /// A row of history.csv.
+  void row(const State& clock, const SolidState& solid);
+  /// VTU files of all bodies.
+  void fields(const State& clock, const SolidState& solid);
+
+ private:
+  std::string file(std::size_t body, std::size_t output) const;
+
+  const Scene& scene_;
+  std::string directory_;
+  std::vector<std::string> names_;  ///< of the bodies: the glass, then the tools
+  std::vector<core::PvdCollection> collections_;
+  core::GrowingFile history_;
+  std::size_t outputs_ = 0;
+  double last_output_ = -1;  ///< s
+};
+
+/// Writes wall.csv and summary.json of a solid that has ended.
+void write_solid_summary(const Scene& scene, const std::string& result, const SolidState& solid, const SolidWall& wall);
+/// The wall of a container in space as lines for the terminal.
+std::string solid_table(const Scene& scene, const SolidState& solid, const SolidWall& wall);
+
+}  // namespace parison::forming

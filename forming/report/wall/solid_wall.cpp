@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/wall/solid_wall.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/solid/hex_geometry.hpp"
+#include "thermal/properties.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+using core::Vector3;
+
+constexpr int rule_points = 3;  // along a face
+
+/// Places of a surface with their normals.
+struct SurfaceSamples {
+  std::vector<Vector3> at, normal;
+};
+
+/// Of each face, at the points of a fine rule: between them the tangent plane is the surface.
+SurfaceSamples samples_of(const core::HexMesh& mesh, const std::vector<core::HexFace>& faces) {
+  constexpr int fine = 5;
+  SurfaceSamples samples;
+  for (const core::HexFace& face : faces)
+    for (const auto& point : core::map_hex_face(core::face_nodes(mesh, face), face, fine)) {
+      samples.at.push_back(point.position);
+      samples.normal.push_back(point.normal);
+    }
+  return samples;
+}
+
+/// Distance from a place to a surface, m, by the tangent plane of its nearest sample.
+double distance_to(const SurfaceSamples& samples, const Vector3& at) {
+  std::size_t nearest = 0;
+  double least = HUGE_VAL;
+  for (std::size_t s = 0; s < samples.at.size(); ++s)
+    if (const double square = (samples.at[s] - at).squaredNorm(); square < least) {
+      least = square;
+      nearest = s;
+    }
+  return std::abs((samples.at[nearest] - at).dot(samples.normal[nearest]));
+}
+
+/// Means over the outer side: of the thickness by node, and of the points that touch.
+void add_means(const SolidState& solid, const std::map<Index, double>& thickness, SolidWall& wall) {
+  double area = 0, sum = 0, touching_area = 0;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    if (solid.heat_faces[f].boundary_id != static_cast<Index>(SolidSide::outer)) continue;
+    const auto numbers = core::face_node_numbers(solid.glass.mesh, solid.faces[f]);
+    const core::HexFaceNodes nodes = core::face_nodes(solid.glass.mesh, solid.faces[f]);
+    for (const auto& point : core::map_hex_face(nodes, solid.faces[f], rule_points)) {
+      area += point.area;
+      for (int i = 0; i < 9; ++i) sum += point.area * point.shape[i] * thickness.at(numbers[static_cast<std::size_t>(i)]);
+    }
+    if (solid.glass.contact.empty()) continue;
+    const auto points = core::map_hex_face(nodes, solid.faces[f], flow::contact_points_along);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (solid.glass.contact[f * flow::contact_points_per_face + p].touches) touching_area += points[p].area;
+  }
+  wall.mean = sum / area;
+  wall.touching = touching_area / area;
+}
+
+/// Volume inside of the inner side up to a plane across the axis at its rim, m3: by Gauss' theorem with the field
+/// (x, y, 0)/2, of which nothing passes through that plane and planes through the axis.
+double inside_of(const SolidState& solid) {
+  double volume = 0;
+  for (const core::HexFace& face : faces_of(solid, SolidSide::inner))
+    for (const auto& point : core::map_hex_face(core::face_nodes(solid.glass.mesh, face), face, rule_points))
+      volume -= 0.5 * point.area * (point.position[0] * point.normal[0] + point.position[1] * point.normal[1]);
+  return volume;
+}
+
+}  // namespace
+
+SolidWall solid_wall(const SolidState& solid) {
+  const core::HexMesh& mesh = solid.glass.mesh;
+  const SurfaceSamples inner = samples_of(mesh, faces_of(solid, SolidSide::inner));
+  SolidWall wall;
+  std::map<Index, double> thickness;
+  for (const auto& column : solid.columns) {
+    const Index outer = column.back(), opposite = column.front();
+    thickness[outer] = distance_to(inner, mesh.nodes[outer]);
+    wall.points.push_back({outer, opposite, mesh.nodes[outer], thickness[outer], solid.glass.temperature[outer],
+                           solid.glass.temperature[opposite]});
+  }
+  std::sort(wall.points.begin(), wall.points.end(), [](const SolidWallPoint& a, const SolidWallPoint& b) {
+    return std::make_pair(a.at[2], std::atan2(a.at[1], a.at[0])) < std::make_pair(b.at[2], std::atan2(b.at[1], b.at[0]));
+  });
+  const auto thinner = [](const SolidWallPoint& a, const SolidWallPoint& b) { return a.thickness < b.thickness; };
+  const auto [least, most] = std::minmax_element(wall.points.begin(), wall.points.end(), thinner);
+  wall.thinnest = static_cast<std::size_t>(least - wall.points.begin());
+  wall.thickest = static_cast<std::size_t>(most - wall.points.begin());
+  wall.capacity = inside_of(solid) / solid.share;
+  add_means(solid, thickness, wall);
+  return wall;
+}
+
+std::string solid_wall_csv(const SolidWall& wall) {
+  std::string text = "x_mm,y_mm,z_mm,angle_deg,thickness_mm,outer_temperature_degC,inner_temperature_degC\n";
+  for (const SolidWallPoint& point : wall.points)
+    text += fmt::format("{:.4f},{:.4f},{:.4f},{:.3f},{:.4f},{:.2f},{:.2f}\n", 1e3 * point.at[0], 1e3 * point.at[1],
+                        1e3 * point.at[2], std::atan2(point.at[1], point.at[0]) * 180 / M_PI, 1e3 * point.thickness,
+                        point.outer_temperature - thermal::content_reference,
+                        point.inner_temperature - thermal::content_reference);
+  return text;
+}
+
+}  // namespace parison::forming

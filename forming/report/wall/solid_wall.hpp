@@ -1,0 +1,31 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "forming/solid/solid_state.hpp"
+
+namespace parison::forming {
+
+/// The wall of glass in space at one node of its outer side.
+struct SolidWallPoint {
+  Index outer, inner;    ///< nodes
+  core::Vector3 at;      ///< m, on the outer side
+  double thickness;      ///< to the nearest place of the inner side, m
+  double outer_temperature, inner_temperature;  ///< K
+};
+
+/// The wall of a container in space.
+struct SolidWall {
+  std::vector<SolidWallPoint> points;  ///< by rising height, then angle
+  double mean;                         ///< of the thickness by area of the outer side, m
+  std::size_t thinnest, thickest;      ///< indices of points
+  double capacity;                     ///< inside up to the rim, m3, of the whole container
+  double touching;                     ///< share of the outer side that touches a tool
+};
+SolidWall solid_wall(const SolidState& solid);
+
+/// As a file for spreadsheets.
+std::string solid_wall_csv(const SolidWall& wall);
+
+}  // namespace parison::forming

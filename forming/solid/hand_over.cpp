@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/solid/hand_over.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "core/process/run_error.hpp"
+#include "forming/solid/swept_tool.hpp"
+#include "forming/state/initial_state.hpp"
+#include "remesh/solid/wall_mesh.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Half the width of the widest tool of the stages in space over that of the glass: by so much a cell is stretched.
+double widening(const Scene& scene, const State& state) {
+  double glass = 0, widest = 0;
+  for (const Point& x : state.glass.mesh.nodes) glass = std::max(glass, x[0]);
+  for (std::size_t s = static_cast<std::size_t>(scene.solid->from_stage); s < scene.stages.size(); ++s)
+    for (const StageTool& entry : scene.stages[s].tools) {
+      const Tool& tool = scene.tools[entry.tool];
+      const auto contact = contact_boundaries(tool);
+      for (const core::Segment& segment : tool.profile.segments)
+        if (contact[segment.boundary_id] && std::holds_alternative<std::monostate>(entry.motion) &&
+            !tool.section.is_round())
+          widest = std::max(widest, core::point_at(segment, 0)[0]);
+    }
+  return std::max(1.0, widest / glass);
+}
+
+/// The material of the glass with its light as conduction: Rosseland's of the bands, with the limit of thin walls.
+thermal::Material with_conducted_light(thermal::Material material) {
+  if (!thermal::has_light(material)) return material;
+  auto& radiation = *material.radiation;
+  const core::Table absorption = thermal::rosseland_absorption(radiation.bands);
+  radiation.model = thermal::Radiation::Model::rosseland;
+  radiation.absorption = absorption.y.front();
+  radiation.relative = absorption;
+  for (double& value : radiation.relative.y) value /= radiation.absorption;
+  radiation.bands.clear();
+  return material;
+}
+
+void add_side(const std::vector<core::HexFace>& faces, SolidSide side, SolidState& solid) {
+  for (const core::HexFace& face : faces) {
+    solid.faces.push_back(face);
+    solid.heat_faces.push_back(core::quad_face(solid.glass.mesh, face, static_cast<Index>(side)));
+  }
+}
+
+/// Moves all temperatures alike until the heat is that of the sector of the round glass.
+void keep_heat(const thermal::SolidBodyView& body, double heat, Eigen::VectorXd& temperature) {
+  constexpr int steps = 4;
+  constexpr double apart = 1;  // K
+  for (int i = 0; i < steps; ++i) {
+    const double now = thermal::heat_content(body, temperature);
+    const double capacity = (thermal::heat_content(body, (temperature.array() + apart).matrix()) - now) / apart;
+    temperature.array() += (heat - now) / capacity;
+  }
+}
+
+/// Tools that any stage from the solid's start on uses.
+std::vector<Index> tools_in_space(const Scene& scene) {
+  std::set<Index> tools;
+  for (std::size_t s = static_cast<std::size_t>(scene.solid->from_stage); s < scene.stages.size(); ++s)
+    for (const StageTool& entry : scene.stages[s].tools) tools.insert(entry.tool);
+  return {tools.begin(), tools.end()};
+}
+
+}  // namespace
+
+double solid_size(const Accuracy& accuracy) {
+  return 2 * accuracy.surface_size;  // a cell has a node in its middle
+}
+
+Index solid_layers(const Accuracy& accuracy) {
+  return std::max(Index{1}, static_cast<Index>(std::floor(accuracy.elements_across)));
+}
+
+std::vector<core::HexFace> faces_of(const SolidState& state, SolidSide side) {
+  std::vector<core::HexFace> result;
+  for (std::size_t f = 0; f < state.faces.size(); ++f)
+    if (state.heat_faces[f].boundary_id == static_cast<Index>(side)) result.push_back(state.faces[f]);
+  return result;
+}
+
+SolidState hand_over(const Scene& scene, const State& state) {
+  const core::Mesh& section = state.glass.mesh;
+  const auto sides = remesh::wall_sides(section, scene.geometry, remesh::surface_rays(section, scene.geometry));
+  if (!sides.no_wall.empty()) throw core::RunError("the parison cannot be followed in space: " + sides.no_wall);
+  const remesh::WallCoordinates coordinates(section, sides);
+  remesh::WallMesh wall = remesh::turn_wall(coordinates, {solid_size(scene.accuracy) / widening(scene, state),
+                                                          solid_layers(scene.accuracy), scene.solid->sector});
+  SolidState solid;
+  solid.share = scene.solid->sector / (2 * M_PI);
+  solid.material = with_conducted_light(*scene.glass.thermal);
+  solid.glass.mesh = std::move(wall.mesh);
+  solid.glass.temperature.resize(solid.glass.mesh.node_count());
+  for (Index n = 0; n < solid.glass.mesh.node_count(); ++n)
+    solid.glass.temperature[n] = coordinates.value(state.glass.temperature, wall.section[static_cast<std::size_t>(n)]);
+  add_side(wall.inner, SolidSide::inner, solid);
+  add_side(wall.outer, SolidSide::outer, solid);
+  add_side(wall.rim, SolidSide::rim, solid);
+  solid.planes = std::move(wall.planes);
+  solid.columns = std::move(wall.columns);
+  const auto cells = core::cell_list(solid.glass.mesh, core::hexahedron_table());
+  solid.point_mass = thermal::point_masses(solid.glass.mesh.nodes, cells, solid.material, solid.glass.temperature);
+  const double mass = solid.share * state.glass.mass;
+  solid.point_mass *= mass / solid.point_mass.sum();
+  solid.glass.cell_mass = flow::masses_by_volume(*scene.glass.flow, solid.glass.mesh, solid.glass.temperature);
+  solid.glass.cell_mass *= mass / solid.glass.cell_mass.sum();
+  const auto body = thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, solid.material);
+  solid.totals.start_heat = solid.share * glass_heat(scene, state);
+  keep_heat(body, solid.totals.start_heat, solid.glass.temperature);
+  for (const Index tool : tools_in_space(scene)) solid.tools.push_back(swept_tool(scene, state, tool));
+  return solid;
+}
+
+}  // namespace parison::forming

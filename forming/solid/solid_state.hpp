@@ -1,0 +1,58 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <vector>
+
+#include "contact/solid/section_surface.hpp"
+#include "core/solid/prism_mesh.hpp"
+#include "core/solid/quad_face.hpp"
+#include "forming/scene/scene.hpp"
+#include "forming/solid/flow/solid_flow.hpp"
+#include "forming/state/state.hpp"
+#include "thermal/solid/solid_problem.hpp"
+
+namespace parison::forming {
+
+/// Sides of the glass as the faces of SolidState count them.
+enum class SolidSide { inner, outer, rim };
+
+/// A tool of the stages in which the glass is a solid.
+struct SolidTool {
+  Index tool;  ///< index into Scene::tools
+  std::unique_ptr<contact::SectionSurface> surface;
+  core::PrismMesh mesh;                         ///< in the tool's own frame
+  Eigen::VectorXd temperature;                  ///< by node, K
+  Eigen::VectorXd mass;                         ///< by point of the cells, kg
+  double heat_received = 0;                     ///< from the glass since the start of the solid, J, of the sector
+  core::Vector3 force = core::Vector3::Zero();  ///< of the glass on it in the last step, N, of the sector
+};
+
+/// Sums since the glass became a solid, of its sector.
+struct SolidTotals {
+  Index steps = 0, rejected = 0, factors = 0, solutions = 0;
+  double to_air = 0, to_tools = 0;  ///< J
+  double start_heat = 0;            ///< J
+  double volume_error = 0;          ///< largest of a cell in a step, as a share of it
+  double heat_imbalance = 0;        ///< sum of the heat that no balance explains, J
+};
+
+/// Glass and tools in space: a sector about the axis.
+struct SolidState {
+  flow::SolidGlass glass;
+  thermal::Material material;              ///< of the glass: its light as conduction where it is in bands
+  Eigen::VectorXd point_mass;              ///< of the glass by point of its cells, kg
+  std::vector<core::HexFace> faces;        ///< the surface of the glass but for planes of symmetry
+  std::vector<core::QuadFace> heat_faces;  ///< the same; boundary_id is a SolidSide
+  std::vector<core::SymmetryPlane> planes;
+  std::vector<std::vector<Index>> columns;  ///< nodes through the wall, from the inner side to the outer one
+  Eigen::VectorXd temperature_rate;         ///< of the last step, K/s; empty: none
+  std::vector<SolidTool> tools;
+  double share = 1;                                       ///< of the whole turn
+  double last_step = 0, next_step = 0, heat_substep = 0;  ///< s
+  SolidTotals totals;
+};
+
+/// The faces of one side.
+std::vector<core::HexFace> faces_of(const SolidState& state, SolidSide side);
+
+}  // namespace parison::forming

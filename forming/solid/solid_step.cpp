@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/solid/solid_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/process/run_error.hpp"
+#include "core/solid/hex_geometry.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+using core::Vector3;
+
+const StageTool* active_entry(const Scene& scene, const State& clock, Index tool) {
+  for (const StageTool& entry : scene.stages[clock.stage].tools)
+    if (entry.tool == tool) return &entry;
+  return nullptr;
+}
+
+/// The flow of the present stage over dt, s. Its tools are those of the solid in place; `places` says which.
+flow::SolidProblem flow_problem(const Scene& scene, const State& clock, const SolidState& solid, double dt,
+                                std::vector<std::size_t>& places) {
+  const Stage& stage = scene.stages[clock.stage];
+  flow::SolidProblem problem;
+  problem.material = &*scene.glass.flow;
+  problem.gravity = stage.gravity;
+  problem.planes = solid.planes;
+  if (const auto pressure = stage.pressure.find(inner_side); pressure != stage.pressure.end())
+    problem.pressures.push_back({faces_of(solid, SolidSide::inner), pressure->second(clock.stage_time + 0.5 * dt)});
+  problem.open_faces = solid.faces;
+  problem.contact_faces = solid.faces;
+  for (std::size_t t = 0; t < solid.tools.size(); ++t) {
+    const Index tool = solid.tools[t].tool;
+    if (!active_entry(scene, clock, tool)) continue;
+    const double now = tool_offset(scene, clock, tool, clock.stage_time);
+    const double after = tool_offset(scene, clock, tool, clock.stage_time + dt);
+    problem.tools.push_back({solid.tools[t].surface.get(), now * Vector3::UnitZ(),
+                             dt > 0 ? Vector3((after - now) / dt * Vector3::UnitZ()) : Vector3::Zero(),
+                             scene.tools[tool].friction});
+    places.push_back(t);
+  }
+  return problem;
+}
+
+/// Contact counts the tools of a flow problem; here those of the solid.
+void count_tools_of_solid(const std::vector<std::size_t>& places, SolidState& solid) {
+  for (flow::SolidContact& contact : solid.glass.contact)
+    if (contact.tool >= 0) contact.tool = static_cast<Index>(places[contact.tool]);
+}
+void count_tools_of_flow(const std::vector<std::size_t>& places, SolidState& solid) {
+  for (flow::SolidContact& contact : solid.glass.contact) {
+    const auto found = std::find(places.begin(), places.end(), static_cast<std::size_t>(contact.tool));
+    contact.tool = found == places.end() ? -1 : static_cast<Index>(found - places.begin());
+    if (contact.tool < 0) contact.touches = false;
+  }
+}
+
+/// The temperatures expected in the middle of a step, at which the glass flows.
+Eigen::VectorXd middle_temperature(const SolidState& solid, double dt) {
+  if (solid.temperature_rate.size() == 0) return solid.glass.temperature;
+  constexpr double farthest = 20;  // K: beyond it a rate of one step says little about the next
+  const Eigen::ArrayXd change = 0.5 * dt * solid.temperature_rate.array();
+  return solid.glass.temperature + change.max(-farthest).min(farthest).matrix();
+}
+
+}  // namespace
+
+double tool_offset(const Scene& scene, const State& clock, Index tool, double stage_time) {
+  const StageTool* entry = active_entry(scene, clock, tool);
+  const auto* motion = entry ? std::get_if<PositionMotion>(&entry->motion) : nullptr;
+  return motion ? motion->offset(stage_time) : clock.tools[tool].offset;
+}
+
+SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, SolidState& solid,
+                            SolidWorkspace& workspace) {
+  SolidStepOutcome outcome;
+  std::vector<std::size_t> places;
+  const flow::SolidProblem problem = flow_problem(scene, clock, solid, dt, places);
+  if (!workspace.flow)
+    workspace.flow = std::make_unique<flow::FlowMatrix>(solid.glass.mesh, problem.planes, problem.fixed);
+  const flow::SolidGlass before = solid.glass;
+  count_tools_of_flow(places, solid);
+  const Eigen::VectorXd temperature = std::exchange(solid.glass.temperature, middle_temperature(solid, dt));
+  try {
+    outcome.flow = flow::step_flow(problem, *workspace.flow, solid.glass, dt);
+  } catch (const core::RunError& error) {
+    outcome.reason = error.what();
+  }
+  solid.glass.temperature = temperature;
+  if (!outcome.flow.accepted) {
+    if (outcome.reason.empty()) outcome.reason = "a step would fold a cell of the glass";
+    solid.glass = before;
+    return outcome;
+  }
+  count_tools_of_solid(places, solid);
+  for (std::size_t i = 0; i < places.size(); ++i) solid.tools[places[i]].force = outcome.flow.tool_forces[i];
+  outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
+  if (!outcome.reason.empty()) {
+    solid.glass = before;
+    return outcome;
+  }
+  outcome.accepted = true;
+  ++solid.totals.steps;
+  solid.totals.factors += outcome.flow.factors;
+  solid.totals.solutions += outcome.flow.solutions;
+  solid.totals.volume_error = std::max(solid.totals.volume_error, outcome.flow.volume_error);
+  return outcome;
+}
+
+double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double last) {
+  if (last == 0 || solid.glass.velocity.size() == 0) return scene.accuracy.initial_step;
+  std::vector<std::size_t> places;
+  const flow::SolidProblem problem = flow_problem(scene, clock, solid, last, places);
+  flow::SolidStepLimits limits;
+  limits.strain = 0.5 * scene.accuracy.strain_per_step;
+  limits.longest = scene.accuracy.max_step;
+  return flow::propose_step(problem, solid.glass, flow::strain_rate(solid.glass.mesh, solid.glass.velocity), last,
+                            limits);
+}
+
+SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid) {
+  SolidOverlap deepest;
+  for (const SolidTool& tool : solid.tools) {
+    if (!active_entry(scene, clock, tool.tool)) continue;
+    const Vector3 offset = clock.tools[tool.tool].offset * Vector3::UnitZ();
+    for (const core::HexFace& face : solid.faces)
+      for (const Index node : core::face_node_numbers(solid.glass.mesh, face)) {
+        const Vector3& at = solid.glass.mesh.nodes[node];
+        const double depth = -tool.surface->gap(at - offset).distance;
+        if (depth > deepest.depth) deepest = {depth, tool.tool, at};
+      }
+  }
+  return deepest;
+}
+
+}  // namespace parison::forming

@@ -1,0 +1,42 @@
+#pragma once
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+
+#include "forming/solid/solid_heat.hpp"
+
+namespace parison::forming {
+
+/// What steps of one solid keep.
+struct SolidWorkspace {
+  std::unique_ptr<flow::FlowMatrix> flow;
+  thermal::SolidStepMatrix heat;
+};
+
+/// What became of a step.
+struct SolidStepOutcome {
+  bool accepted = false;
+  std::string reason;  ///< why not, a sentence
+  flow::SolidStep flow;
+};
+
+/// Moves the glass over dt, s, from the time of `clock`, which has the stage and the places of tools at the start of
+/// the step, and conducts heat over the same time. A step that is not accepted leaves the solid as it was.
+SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, SolidState& solid,
+                            SolidWorkspace& workspace);
+
+/// The length, s, of the next step after one of `last`, s; 0 for the first of a stage.
+double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double last);
+
+/// The place along the axis of a tool at a time since the present stage's start, m.
+double tool_offset(const Scene& scene, const State& clock, Index tool, double stage_time);
+
+/// The deepest place of the glass in a tool that is in place.
+struct SolidOverlap {
+  double depth = 0;                          ///< m
+  Index tool = -1;                           ///< index into Scene::tools; -1: none overlaps
+  core::Vector3 at = core::Vector3::Zero();  ///< m
+};
+SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid);
+
+}  // namespace parison::forming
