@@ -11,8 +11,6 @@ namespace parison::thermal {
 
 namespace {
 
-
-
 /// All numbers that the cliques of cells and faces depend on.
 std::vector<Index> signature_of(const SolidSystem& system) {
   std::vector<Index> signature = system.first_unknown;
@@ -102,14 +100,14 @@ void assemble(SolidStepMatrix& matrix, const SolidSystem& system, double time, c
     });
     first += body.cells.count;
   }
-  const ExchangeMatrices exchange{
-      [&](Index clique, const std::array<Index, 9>& face, std::array<double, 81>& local) {
-        add_local(matrix, system, first + clique, face.data(), 9, local.data());
-      },
-      [&](Index pair, const std::array<Index, 18>& both, std::array<double, 324>& local) {
-        const Index clique = matrix.pair_clique.at(system.problem->interface.pairs[pair].key());
-        add_local(matrix, system, clique, both.data(), 18, local.data());
-      }};
+  const ExchangeMatrices exchange{[&](Index clique, const std::array<Index, 9>& face, std::array<double, 81>& local) {
+                                    add_local(matrix, system, first + clique, face.data(), 9, local.data());
+                                  },
+                                  [&](Index pair, const std::array<Index, 18>& both, std::array<double, 324>& local) {
+                                    const Index clique =
+                                        matrix.pair_clique.at(system.problem->interface.pairs[pair].key());
+                                    add_local(matrix, system, clique, both.data(), 18, local.data());
+                                  }};
   for_each_exchange_matrix(system, time, temperature, step, exchange);
 }
 

@@ -20,7 +20,7 @@ struct SolidStepMatrix {
 
   // What the pattern was made for.
   std::vector<Index> mesh_signature;
-  std::map<std::array<Index, 4>, Index> pair_clique;  ///< by FacePair::key()
+  std::map<std::array<Index, 4>, Index> pair_clique;     ///< by FacePair::key()
   std::vector<std::vector<std::array<int, 2>>> repeats;  ///< by clique: entries whose unknown comes twice
 };
 
