@@ -123,20 +123,25 @@ Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
-void Cholesky::analyse(const SymmetricMatrix& matrix) {
+bool Cholesky::analyse_by(int ordering, const SymmetricMatrix& matrix, std::vector<Index> given) {
   auto& common = data_->common;
   cholmod_free_factor(&data_->factor, &common);
-  common.method[0].ordering = CHOLMOD_AMD;
+  common.method[0].ordering = ordering;
   common.postorder = 1;
   cholmod_sparse sparse = view(matrix, -1);
-  data_->factor = cholmod_analyze(&sparse, &common);
-  if (!data_->factor) throw std::bad_alloc();
+  data_->factor = cholmod_analyze_p(&sparse, given.empty() ? nullptr : given.data(), nullptr, 0, &common);
+  if (!data_->factor) return false;
   const auto* found = static_cast<const Index*>(data_->factor->Perm);
   const std::vector<Index> order(found, found + matrix.size);
   // The triangle of which a factorisation needs no transpose.
   const bool upper = !data_->factor->is_super;
   data_->permuted = permute(matrix, order.data(), upper);
   data_->analyse(view(*data_->permuted, upper ? 1 : -1), order);
+  return true;
+}
+
+void Cholesky::analyse(const SymmetricMatrix& matrix) {
+  if (!analyse_by(CHOLMOD_AMD, matrix, {})) throw std::bad_alloc();
 }
 
 void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<Index>& order, Triangle triangle) {
@@ -146,6 +151,16 @@ void Cholesky::analyse_ordered(const SymmetricMatrix& matrix, const std::vector<
 
 double Cholesky::operations() const {
   return data_->common.fl;
+}
+
+void Cholesky::analyse_dissected(const SymmetricMatrix& matrix) {
+  if (!analyse_by(CHOLMOD_METIS, matrix, {})) analyse(matrix);
+}
+
+void Cholesky::analyse_in_same_order(const SymmetricMatrix& matrix) {
+  assert(data_->factor && static_cast<Index>(data_->factor->n) == matrix.size);
+  const auto* order = static_cast<const Index*>(data_->factor->Perm);
+  if (!analyse_by(CHOLMOD_GIVEN, matrix, std::vector<Index>(order, order + matrix.size))) throw std::bad_alloc();
 }
 
 bool Cholesky::factorise(const SymmetricMatrix& matrix) {

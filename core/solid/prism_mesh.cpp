@@ -42,8 +42,7 @@ void add_cells(const Mesh& section, const SweptNodes& number, Index layers, Pris
       QuadFace& face = mesh.faces.emplace_back();
       face.boundary_id = edge.boundary_id;
       for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i)
-          face.nodes[i + 3 * k] = number(i == 0 ? first : i == 1 ? mid : last, 2 * layer + k);
+        for (int i = 0; i < 3; ++i) face.nodes[i + 3 * k] = number(i == 0 ? first : i == 1 ? mid : last, 2 * layer + k);
     }
   }
 }

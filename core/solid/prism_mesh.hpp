@@ -16,10 +16,10 @@ struct PrismMesh {
   static constexpr int nodes_per_cell = 18;
   std::vector<Vector3> nodes;  ///< m
   std::vector<std::array<Index, nodes_per_cell>> cells;
-  std::vector<QuadFace> faces;            ///< of the swept boundary edges; the two cuts at the ends have none
-  std::vector<MeshBoundary> boundaries;   ///< of the section: what `boundary_id` of the faces counts
-  std::vector<Index> section_node;        ///< by node: that of the section from which it came
-  std::vector<double> angle;              ///< by node, rad; of a node on the axis that of the first level
+  std::vector<QuadFace> faces;           ///< of the swept boundary edges; the two cuts at the ends have none
+  std::vector<MeshBoundary> boundaries;  ///< of the section: what `boundary_id` of the faces counts
+  std::vector<Index> section_node;       ///< by node: that of the section from which it came
+  std::vector<double> angle;             ///< by node, rad; of a node on the axis that of the first level
 
   Index node_count() const { return static_cast<Index>(nodes.size()); }
   Index cell_count() const { return static_cast<Index>(cells.size()); }

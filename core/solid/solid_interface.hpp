@@ -24,8 +24,8 @@ struct SolidInterfacePoint {
   double contact_weight;                            ///< 1 where closed, falling smoothly to 0
   double pressure;                                  ///< of the contact, Pa
   Index law;                                        ///< which named interface
-  double opening = 0;       ///< of the gap of a contact beyond that at first touch, m
-  double closing_rate = 0;  ///< at which pressure and softness of the skin close it, 1/s
+  double opening = 0;                               ///< of the gap of a contact beyond that at first touch, m
+  double closing_rate = 0;                          ///< at which pressure and softness of the skin close it, 1/s
 };
 
 /// The virtual surface between a slave and its masters. The points of a pair stand together, in the order of the pairs;

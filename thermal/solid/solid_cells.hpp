@@ -7,8 +7,8 @@ namespace parison::thermal {
 /// Adds the content of a body's unknowns, J, and the heat that conduction brings them, W.
 void add_cells(const SolidLaws& body, const Eigen::VectorXd& temperature, Response& response);
 
-/// Capacity plus step times conduction of each cell, J/K, at given temperatures; calls add(cell, matrix) for every cell,
-/// nodes x nodes. The conductivity's own derivative is left out, so the matrices are symmetric and positive.
+/// Capacity plus step times conduction of each cell, J/K, at given temperatures; calls add(cell, matrix) for every
+/// cell, nodes x nodes. The conductivity's own derivative is left out, so the matrices are symmetric and positive.
 using CellMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 void for_each_cell_matrix(const SolidLaws& body, const Eigen::VectorXd& temperature, double step,
                           const std::function<void(Index cell, CellMatrix& matrix)>& add);

@@ -208,7 +208,8 @@ void add_point(const core::SolidInterfacePoint& point, const PointSlopes& slopes
       matrix[i * 18 + j] += slopes.slave * point.slave_shape[i] * point.slave_shape[j];
       matrix[(9 + i) * 18 + 9 + j] += slopes.master * point.master_shape[i] * point.master_shape[j];
     }
-    for (int j = 0; j < 9; ++j) matrix[(9 + i) * 18 + j] -= slopes.across * point.master_shape[i] * point.slave_shape[j];
+    for (int j = 0; j < 9; ++j)
+      matrix[(9 + i) * 18 + j] -= slopes.across * point.master_shape[i] * point.slave_shape[j];
   }
 }
 

@@ -11,8 +11,6 @@ namespace parison::thermal {
 
 namespace {
 
-
-
 /// All numbers that the cliques of cells and faces depend on.
 std::vector<Index> signature_of(const SolidSystem& system) {
   std::vector<Index> signature = system.first_unknown;
@@ -46,6 +44,18 @@ std::vector<Index> face_unknowns(const SolidSystem& system, Index body, Index fa
   return unknowns;
 }
 
+/// Of a matrix with new pairs the order of elimination serves again, until the fill has grown by half.
+void analyse(SolidStepMatrix& matrix, bool same_mesh) {
+  constexpr double most_growth = 1.5;
+  ++matrix.analyses;
+  if (same_mesh) {
+    matrix.cholesky.analyse_in_same_order(matrix.assembly.matrix);
+    if (matrix.cholesky.operations() <= most_growth * matrix.ordered_operations) return;
+  }
+  matrix.cholesky.analyse_dissected(matrix.assembly.matrix);
+  matrix.ordered_operations = matrix.cholesky.operations();
+}
+
 void make_pattern(SolidStepMatrix& matrix, const SolidSystem& system) {
   core::Cliques cliques;
   matrix.repeats.clear();
@@ -72,8 +82,6 @@ void make_pattern(SolidStepMatrix& matrix, const SolidSystem& system) {
     add(unknowns);
   }
   matrix.assembly = core::make_assembly(system.size(), cliques);
-  matrix.cholesky.analyse(matrix.assembly.matrix);
-  ++matrix.analyses;
 }
 
 /// Adds a dense matrix, row-major, of a clique. Prescribed unknowns have no equation. An entry between two places with
@@ -102,14 +110,14 @@ void assemble(SolidStepMatrix& matrix, const SolidSystem& system, double time, c
     });
     first += body.cells.count;
   }
-  const ExchangeMatrices exchange{
-      [&](Index clique, const std::array<Index, 9>& face, std::array<double, 81>& local) {
-        add_local(matrix, system, first + clique, face.data(), 9, local.data());
-      },
-      [&](Index pair, const std::array<Index, 18>& both, std::array<double, 324>& local) {
-        const Index clique = matrix.pair_clique.at(system.problem->interface.pairs[pair].key());
-        add_local(matrix, system, clique, both.data(), 18, local.data());
-      }};
+  const ExchangeMatrices exchange{[&](Index clique, const std::array<Index, 9>& face, std::array<double, 81>& local) {
+                                    add_local(matrix, system, first + clique, face.data(), 9, local.data());
+                                  },
+                                  [&](Index pair, const std::array<Index, 18>& both, std::array<double, 324>& local) {
+                                    const Index clique =
+                                        matrix.pair_clique.at(system.problem->interface.pairs[pair].key());
+                                    add_local(matrix, system, clique, both.data(), 18, local.data());
+                                  }};
   for_each_exchange_matrix(system, time, temperature, step, exchange);
 }
 
@@ -129,9 +137,11 @@ void set_diagonal(SolidStepMatrix& matrix, const SolidSystem& system) {
 void prepare(SolidStepMatrix& matrix, const SolidSystem& system) {
   matrix.factored_step = 0;
   std::vector<Index> signature = signature_of(system);
-  if (signature == matrix.mesh_signature && has_all_pairs(matrix, system)) return;
+  const bool same_mesh = signature == matrix.mesh_signature;
+  if (same_mesh && has_all_pairs(matrix, system)) return;
   matrix.mesh_signature = std::move(signature);
   make_pattern(matrix, system);
+  analyse(matrix, same_mesh);
 }
 
 bool factorise(SolidStepMatrix& matrix, const SolidSystem& system, double time, const Eigen::VectorXd& temperature,

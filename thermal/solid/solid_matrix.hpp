@@ -19,8 +19,9 @@ struct SolidStepMatrix {
   Index analyses = 0, factorisations = 0;
 
   // What the pattern was made for.
+  double ordered_operations = 0;  ///< of a factorisation when the order of elimination was found
   std::vector<Index> mesh_signature;
-  std::map<std::array<Index, 4>, Index> pair_clique;  ///< by FacePair::key()
+  std::map<std::array<Index, 4>, Index> pair_clique;     ///< by FacePair::key()
   std::vector<std::vector<std::array<int, 2>>> repeats;  ///< by clique: entries whose unknown comes twice
 };
 

@@ -32,7 +32,8 @@ Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core
                              const Material& material, const Eigen::VectorXd& temperature) {
   Eigen::VectorXd mass = material.density * core::point_volumes(nodes, cells);
   if (!material.relative_density.x.empty())
-    for_each_temperature(cells, temperature, [&](Index point, double T) { mass[point] *= material.relative_density(T); });
+    for_each_temperature(cells, temperature,
+                         [&](Index point, double T) { mass[point] *= material.relative_density(T); });
   return mass;
 }
 

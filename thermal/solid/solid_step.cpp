@@ -104,8 +104,8 @@ TrialStep try_step(Integration& run, double time, const StageValue& start, const
   TrialStep trial;
   const double step = d * dt;
   const VectorXd& before = start.response.power;
-  trial.middle = solve(run, {time + gamma * dt, step, start.content + step * before},
-                       start.temperature + gamma * dt * rate);
+  trial.middle =
+      solve(run, {time + gamma * dt, step, start.content + step * before}, start.temperature + gamma * dt * rate);
   if (!trial.middle.solved) return trial;
   const VectorXd& half = trial.middle.response.power;
   const VectorXd guess = start.temperature + (trial.middle.temperature - start.temperature) / gamma;

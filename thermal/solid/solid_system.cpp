@@ -63,7 +63,8 @@ void add_prescribed(SolidSystem& system, Index body) {
       const Index unknown = system.first_unknown[body] + node;
       if (system.is_prescribed[unknown]) continue;
       system.is_prescribed[unknown] = 1;
-      system.prescribed.push_back({unknown, body, &*view.prescribed[id], system.first_boundary[body] + face.boundary_id});
+      system.prescribed.push_back(
+          {unknown, body, &*view.prescribed[id], system.first_boundary[body] + face.boundary_id});
     }
   }
 }
@@ -153,7 +154,8 @@ Eigen::VectorXd join(const std::vector<Eigen::VectorXd>& temperature) {
 std::vector<Eigen::VectorXd> split(const SolidSystem& system, const Eigen::VectorXd& joined) {
   std::vector<Eigen::VectorXd> temperature;
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    temperature.push_back(joined.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]));
+    temperature.push_back(
+        joined.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]));
   return temperature;
 }
 

@@ -18,8 +18,8 @@ struct SolidLaws {
   core::CellList cells;
   core::CellMetric metric;
   const Eigen::VectorXd* mass;  ///< by point, kg
-  Eigen::MatrixXd stacked;    ///< of the table: shape, then derivative; 4 points x nodes
-  Eigen::VectorXd thin_wall;  ///< factor on the radiant conductivity by point; empty: 1
+  Eigen::MatrixXd stacked;      ///< of the table: shape, then derivative; 4 points x nodes
+  Eigen::VectorXd thin_wall;    ///< factor on the radiant conductivity by point; empty: 1
   Index first_unknown;
 };
 
@@ -36,10 +36,10 @@ const std::array<std::array<double, 9>, 9>& face_shapes();
 
 /// A pair of faces with points in contact.
 struct SolidHeatPair {
-  std::array<Index, 18> unknowns;  ///< of the slave's face, then the master's
-  Index first_point, last_point;   ///< range of the interface's points, without the last
-  Index pair;                      ///< index into SolidInterface::pairs
-  Index body_pair;                 ///< index into SolidSystem::pairs
+  std::array<Index, 18> unknowns;         ///< of the slave's face, then the master's
+  Index first_point, last_point;          ///< range of the interface's points, without the last
+  Index pair;                             ///< index into SolidInterface::pairs
+  Index body_pair;                        ///< index into SolidSystem::pairs
   Index slave_boundary, master_boundary;  ///< counted through all bodies
 };
 
