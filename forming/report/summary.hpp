@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,9 +47,12 @@ struct RunFacts {
   std::vector<StageRecord> stages;
 };
 
+struct SolidState;
+
 struct RunOutcome {
-  State state;
+  State state;  ///< of a run whose glass became a solid: the parison, at the clock of the end
   RunFacts facts;
+  std::shared_ptr<SolidState> solid = {};  ///< null where the glass was round to the end
 };
 
 struct ToolSummary {

@@ -229,7 +229,8 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   const Hdf5Group file = core::open_hdf5(path);
   const std::vector<Index> changed_tools = require_match(path, scene, file);
   Checkpoint checkpoint;
-  auto& [state, facts] = checkpoint.outcome;
+  State& state = checkpoint.outcome.state;
+  RunFacts& facts = checkpoint.outcome.facts;
   facts.stages.resize(static_cast<std::size_t>(file.read_integer("stages_done")));
   facts.warnings.resize(static_cast<std::size_t>(file.read_integer("warnings")));
   resize(facts.diagnostics, scene.tools.size());

@@ -6,13 +6,15 @@
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/observers/checkpoint_writer.hpp"
 #include "forming/run/observers/result_writer.hpp"
+#include "forming/run/observers/solid_writer.hpp"
 
 namespace parison::forming {
 
 namespace {
 
-Observers with_others(ResultWriter& results, CheckpointWriter& checkpoints, const Observers& others) {
-  Observers all{&results, &checkpoints};
+Observers with_others(ResultWriter& results, CheckpointWriter& checkpoints, SolidWriter& solid,
+                      const Observers& others) {
+  Observers all{&results, &checkpoints, &solid};
   all.insert(all.end(), others.begin(), others.end());
   return all;
 }
@@ -23,7 +25,8 @@ RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const
                          const StopRequest& stop, const remesh::Mesher& mesher, const RunFiles& files) {
   ResultWriter results(directory, files.fields);
   CheckpointWriter checkpoints(results, files);
-  return run(scene, with_others(results, checkpoints, others), stop, mesher);
+  SolidWriter solid(directory);
+  return run(scene, with_others(results, checkpoints, solid, others), stop, mesher);
 }
 
 RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
@@ -34,7 +37,8 @@ RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, co
   const bool case_changed = read_origin(path).fingerprint != scene.fingerprint;
   ResultWriter results(directory, std::move(from.files), files.fields);
   CheckpointWriter checkpoints(results, files, from.outcome.state.totals.steps, case_changed);
-  return resume(scene, std::move(from.outcome), with_others(results, checkpoints, others), stop, mesher);
+  SolidWriter solid(directory);
+  return resume(scene, std::move(from.outcome), with_others(results, checkpoints, solid, others), stop, mesher);
 }
 
 }  // namespace parison::forming

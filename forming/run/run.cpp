@@ -8,6 +8,7 @@
 #include "core/process/run_error.hpp"
 #include "forming/report/checks/checks.hpp"
 #include "forming/run/run_in_progress.hpp"
+#include "forming/run/solid_stages.hpp"
 #include "forming/run/stage.hpp"
 #include "forming/run/stall.hpp"
 #include "forming/run/step_loop.hpp"
@@ -76,6 +77,7 @@ bool run_stages(RunInProgress& run, bool good) {
     notify(run, &RunObserver::stage_ends);
     const Index next = run.outcome.state.stage + 1;
     if (!good || next == stages) return good;
+    if (run.scene.solid && next == run.scene.solid->from_stage) return run_solid_stages(run);
     good = begin_stage(run, next);
   }
 }
@@ -83,7 +85,8 @@ bool run_stages(RunInProgress& run, bool good) {
 /// Runs `from_here` to the end of the run, which an error of the system may be, and completes the facts.
 template <typename Work>
 RunOutcome finish(RunInProgress& run, const Work& from_here) {
-  auto& [state, facts] = run.outcome;
+  State& state = run.outcome.state;
+  RunFacts& facts = run.outcome.facts;
   try {
     facts.completed = from_here();
   } catch (const core::RunError& error) {
@@ -100,7 +103,7 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
   if (facts.reason.find(facts.unfilled) == std::string::npos) add_warnings({facts.unfilled}, facts);
   add_warnings(remeshing_warnings(state), facts);
   facts.checks = checks(run.scene, state, facts);
-  if (facts.completed) add_warnings(unused_interface_warnings(run.scene, state), facts);
+  if (facts.completed && !run.outcome.solid) add_warnings(unused_interface_warnings(run.scene, state), facts);
   notify(run, &RunObserver::run_ends);
   return std::move(run.outcome);
 }

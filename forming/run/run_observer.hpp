@@ -39,6 +39,10 @@ class RunObserver {
   /// Fields are due: at an output time, at which the state may be interpolated, at the run's start, at the end of a
   /// stage and where a run fails.
   virtual void fields_due(const RunView&, const State& /*at*/) {}
+  /// A step of glass in space was accepted; the view's state has the clock and the places of tools.
+  virtual void solid_step_taken(const RunView&, const SolidState&) {}
+  /// Fields of glass in space are due.
+  virtual void solid_fields_due(const RunView&, const SolidState&) {}
   /// From the state of the view the run could be taken up again.
   virtual void checkpoint_possible(const RunView&, bool /*at_stage_boundary*/) {}
   /// A stage is over; its record is the last of the facts.

@@ -95,7 +95,8 @@ SolidFiles::SolidFiles(const Scene& scene, const std::string& result, const Soli
     collections_.back().set({});
   }
   history_.append(
-      "time_s,stage,dt_s,steps,glass_mean_degC,glass_min_degC,glass_max_degC,largest_volume_error,heat_to_tools_J,heat_to_"
+      "time_s,stage,dt_s,steps,glass_mean_degC,glass_min_degC,glass_max_degC,largest_volume_error,heat_to_tools_J,heat_"
+      "to_"
       "air_J\n");
 }
 
@@ -128,7 +129,8 @@ void SolidFiles::fields(const State& clock, const SolidState& solid) {
   ++outputs_;
 }
 
-void write_solid_summary(const Scene& scene, const std::string& result, const SolidState& solid, const SolidWall& wall) {
+void write_solid_summary(const Scene& scene, const std::string& result, const SolidState& solid,
+                         const SolidWall& wall) {
   const std::string directory = result + folder_name;
   core::replace_file(directory + "/wall.csv", solid_wall_csv(wall));
   core::JsonWriter json;
@@ -142,7 +144,8 @@ void write_solid_summary(const Scene& scene, const std::string& result, const So
   const auto place = [&](const char* name, const SolidWallPoint& point) {
     json.open_object(name);
     json.add("thickness_mm", 1e3 * point.thickness);
-    for (const auto& [key, axis] : {std::pair{"x_mm", 0}, {"y_mm", 1}, {"z_mm", 2}}) json.add(key, 1e3 * point.at[axis]);
+    for (const auto& [key, axis] : {std::pair{"x_mm", 0}, {"y_mm", 1}, {"z_mm", 2}})
+      json.add(key, 1e3 * point.at[axis]);
     json.close();
   };
   place("thinnest", wall.points[wall.thinnest]);
@@ -162,7 +165,7 @@ void write_solid_summary(const Scene& scene, const std::string& result, const So
     json.close();
   }
   json.close();
-  core::replace_file(directory + "/summary.json", json.text());
+  core::replace_file(directory + "/summary.json", json.finish());
 }
 
 std::string solid_table(const Scene& scene, const SolidState& solid, const SolidWall& wall) {
@@ -182,8 +185,8 @@ std::string solid_table(const Scene& scene, const SolidState& solid, const Solid
   text += fmt::format("  {:<22}{:.1f} % of the outer side\n", "touching", 100 * wall.touching);
   text += fmt::format("  {:<22}{:.0f} degC in the mean of its nodes, {:.0f} to {:.0f}\n", "glass", celsius(mean),
                       celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()));
-  text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat", 1e-3 * solid.totals.to_tools / solid.share,
-                      1e-3 * solid.totals.to_air / solid.share);
+  text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat",
+                      1e-3 * solid.totals.to_tools / solid.share, 1e-3 * solid.totals.to_air / solid.share);
   if (scene.has_light())
     text += fmt::format("  {:<22}conducted (Rosseland, thin walls); before it was by {}\n", "light in the glass",
                         model_name(scene.glass.thermal->radiation));

@@ -56,7 +56,8 @@ void add_means(const SolidState& solid, const std::map<Index, double>& thickness
     const core::HexFaceNodes nodes = core::face_nodes(solid.glass.mesh, solid.faces[f]);
     for (const auto& point : core::map_hex_face(nodes, solid.faces[f], rule_points)) {
       area += point.area;
-      for (int i = 0; i < 9; ++i) sum += point.area * point.shape[i] * thickness.at(numbers[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < 9; ++i)
+        sum += point.area * point.shape[i] * thickness.at(numbers[static_cast<std::size_t>(i)]);
     }
     if (solid.glass.contact.empty()) continue;
     const auto points = core::map_hex_face(nodes, solid.faces[f], flow::contact_points_along);
@@ -91,7 +92,8 @@ SolidWall solid_wall(const SolidState& solid) {
                            solid.glass.temperature[opposite]});
   }
   std::sort(wall.points.begin(), wall.points.end(), [](const SolidWallPoint& a, const SolidWallPoint& b) {
-    return std::make_pair(a.at[2], std::atan2(a.at[1], a.at[0])) < std::make_pair(b.at[2], std::atan2(b.at[1], b.at[0]));
+    return std::make_pair(a.at[2], std::atan2(a.at[1], a.at[0])) <
+           std::make_pair(b.at[2], std::atan2(b.at[1], b.at[0]));
   });
   const auto thinner = [](const SolidWallPoint& a, const SolidWallPoint& b) { return a.thickness < b.thickness; };
   const auto [least, most] = std::minmax_element(wall.points.begin(), wall.points.end(), thinner);

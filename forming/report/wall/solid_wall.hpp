@@ -9,9 +9,9 @@ namespace parison::forming {
 
 /// The wall of glass in space at one node of its outer side.
 struct SolidWallPoint {
-  Index outer, inner;    ///< nodes
-  core::Vector3 at;      ///< m, on the outer side
-  double thickness;      ///< to the nearest place of the inner side, m
+  Index outer, inner;                           ///< nodes
+  core::Vector3 at;                             ///< m, on the outer side
+  double thickness;                             ///< to the nearest place of the inner side, m
   double outer_temperature, inner_temperature;  ///< K
 };
 

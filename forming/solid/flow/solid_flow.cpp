@@ -159,10 +159,9 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
 SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt) {
   SolidStep step;
   step.dt = dt;
-  if (glass.velocity.size() == 0) {
-    SolidVelocity first = solve_instant(problem, matrix, glass);
-    glass.velocity = std::move(first.velocity);
-    glass.pressure = std::move(first.pressure);
+  if (glass.velocity.size() == 0) {  // at rest: what touches holds the glass
+    glass.velocity = Eigen::VectorXd::Zero(3 * glass.mesh.node_count());
+    glass.pressure = Eigen::VectorXd::Zero(4 * glass.mesh.cell_count());
   }
   const HexMesh middle = moved(glass.mesh, glass.velocity, 0.5 * dt);
   if (is_folded(middle)) return step;

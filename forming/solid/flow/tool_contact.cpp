@@ -91,7 +91,7 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
   look(velocity);
   for (Point& point : points_) {
     set_friction(point, point.drag, point.velocity);
-    point.touches = point.tied || pressure(point) > 0;
+    point.touches = point.tied || pressure(point) > 0 || (fastest == 0 && point.gap <= point.tolerated);
   }
 }
 
@@ -162,7 +162,7 @@ Index ToolContact::choose() {
 }
 
 void ToolContact::add_changes(FlowMatrix& matrix) {
-  CellMatrix sum;
+  HexMatrix sum;
   for (std::size_t first = 0, last = 0; first < points_.size(); first = last) {
     const HexFace& face = problem_->contact_faces[points_[first].face];
     const auto& local = core::hex_face_nodes(face.axis, face.end);

@@ -10,6 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/report/files/case_copy.hpp"
+#include "forming/report/files/solid_files.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/folder_run.hpp"
@@ -77,6 +78,13 @@ bool report_errors(const Scene& scene, const RunOutcome& outcome, const std::str
   return true;
 }
 
+/// Writes and prints the wall of a container in space.
+void report_solid(const Scene& scene, const forming::SolidState& solid, const std::string& output) {
+  const forming::SolidWall wall = forming::solid_wall(solid);
+  forming::write_solid_summary(scene, output, solid, wall);
+  fmt::print("{}", forming::solid_table(scene, solid, wall));
+}
+
 /// Writes the summary of a run and prints how it ended; its coarser runs are null where no error bars are wanted.
 int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& request, const std::string& output,
            CoarseRuns* coarser) {
@@ -84,6 +92,7 @@ int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& requ
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
   auto summary = forming::write_summary(output, scene, outcome.state, facts);
   fmt::print("\n{}", summary_table(scene, outcome.state, summary));
+  if (outcome.solid) report_solid(scene, *outcome.solid, output);
   if (facts.completed && !coarser)
     fmt::print("  {:<22}not estimated; --error-bars runs the case twice more, coarser, for about half its CPU time\n",
                "errors");

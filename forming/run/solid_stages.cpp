@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/run/solid_stages.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "forming/solid/hand_over.hpp"
+#include "forming/solid/solid_step.hpp"
+#include "forming/step/step_control.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+/// Sets the clock to the start of a stage.
+void start_clock(State& clock, Index stage) {
+  clock.stage = stage;
+  clock.stage_time = 0;
+  clock.stage_start = clock.time;
+}
+
+/// Why a stage cannot begin with the present places of glass and tools; empty where it can.
+std::string cannot_begin(const Scene& scene, const State& clock, const SolidState& solid) {
+  constexpr double bearable = 2e-4;  // m: cells of the glass are chords of the curve that they were turned from
+  const SolidOverlap overlap = deepest_overlap(scene, clock, solid);
+  if (overlap.depth <= bearable) return "";
+  return fmt::format(
+      "the glass does not fit into \"{}\": it is {:.2f} mm too wide at z = {:.1f} mm, {:.0f} deg from the plane y = 0; "
+      "a "
+      "narrower blank, a wider mould there, or less time in which the parison sags",
+      scene.tools[overlap.tool].name, 1e3 * overlap.depth, 1e3 * overlap.at[2],
+      std::atan2(overlap.at[1], overlap.at[0]) * 180 / M_PI);
+}
+
+/// The step up to the next output or the end of the stage, s, at most `proposed`.
+double clipped(const Scene& scene, const State& clock, double proposed) {
+  const double end = longest_stage_time(scene, clock) - clock.stage_time;
+  const auto outputs = outputs_due(scene, clock.stage, clock.time, clock.time + proposed);
+  const double until = outputs.empty() ? end : std::min(end, outputs.front() - clock.time);
+  if (proposed >= until) return until;
+  return proposed > 0.5 * until ? 0.5 * until : proposed;  // no very short step is left
+}
+
+/// A step that is accepted; false when the shortest is not, and the facts say why.
+bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
+  State& clock = run.outcome.state;
+  constexpr double shorten = 0.4;
+  double dt = clipped(run.scene, clock, solid.next_step);
+  for (;;) {
+    const SolidStepOutcome outcome = step_solid(run.scene, clock, dt, solid, workspace);
+    if (outcome.accepted) break;
+    ++solid.totals.rejected;
+    dt *= shorten;
+    if (dt < run.scene.accuracy.min_step) {
+      run.outcome.facts.reason =
+          fmt::format("{}, also in steps of {:g} s, numerics.min_step", outcome.reason, run.scene.accuracy.min_step);
+      return false;
+    }
+  }
+  clock.time += dt;
+  clock.stage_time += dt;
+  ++clock.totals.steps;
+  for (const StageTool& tool : run.scene.stages[clock.stage].tools)
+    clock.tools[tool.tool].offset = tool_offset(run.scene, clock, tool.tool, clock.stage_time);
+  solid.last_step = dt;
+  solid.next_step = propose_solid_step(run.scene, clock, solid, dt);
+  return true;
+}
+
+bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
+  State& clock = run.outcome.state;
+  solid.next_step = propose_solid_step(run.scene, clock, solid, 0);
+  solid.glass.velocity.resize(0);  // pressures jump between stages
+  while (longest_stage_time(run.scene, clock) - clock.stage_time > same_time) {
+    const double before = clock.time;
+    if (!step_once(run, solid, workspace)) return false;
+    notify(run, &RunObserver::solid_step_taken, solid);
+    if (!outputs_due(run.scene, clock.stage, before, clock.time).empty())
+      notify(run, &RunObserver::solid_fields_due, solid);
+    if (stop_requested(run)) return false;
+  }
+  return true;
+}
+
+void record_stage(RunInProgress& run, bool good) {
+  const State& clock = run.outcome.state;
+  const char* reason = run.outcome.facts.stopped ? "stop" : good ? name_of(StageEnd::duration) : "failure";
+  run.outcome.facts.stages.push_back({run.scene.stages[clock.stage].name, clock.stage_start, clock.time, reason});
+}
+
+}  // namespace
+
+bool run_solid_stages(RunInProgress& run) {
+  State& clock = run.outcome.state;
+  start_clock(clock, run.scene.solid->from_stage);
+  run.outcome.solid = std::make_shared<SolidState>(hand_over(run.scene, clock));
+  SolidState& solid = *run.outcome.solid;
+  SolidWorkspace workspace;
+  for (Index stage = clock.stage; stage < static_cast<Index>(run.scene.stages.size()); ++stage) {
+    start_clock(clock, stage);
+    notify(run, &RunObserver::stage_begins);
+    if (stage == run.scene.solid->from_stage) notify(run, &RunObserver::solid_fields_due, solid);
+    run.outcome.facts.reason = cannot_begin(run.scene, clock, solid);
+    const bool good = run.outcome.facts.reason.empty() && advance_stage(run, solid, workspace);
+    notify(run, &RunObserver::solid_fields_due, solid);
+    record_stage(run, good);
+    notify(run, &RunObserver::stage_ends);
+    if (!good) return false;
+  }
+  return true;
+}
+
+}  // namespace parison::forming
