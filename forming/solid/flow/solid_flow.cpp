@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/numbers.hpp"
 #include "core/solid/hex_geometry.hpp"
@@ -15,7 +16,8 @@ namespace {
 
 constexpr double volume_tolerance = 1e-9;
 constexpr double divergence_tolerance = 1e-10;  ///< at an instant, of the largest rate of the pressures' corrections
-constexpr int most_solutions = 30, most_factors = 6;
+constexpr int most_solutions = 30, most_factors = 3;
+constexpr double worst_volume = 0.1;  ///< of a cell, beyond which a step is too long
 constexpr double least_shape = 0.02;  ///< least Jacobian of a cell over that at its centre
 constexpr double most_strain = 0.5;   ///< of a step that is not repeated
 
@@ -110,7 +112,8 @@ struct Motion {
     for (Index cell = 0; cell < volumes.size(); ++cell) {
       const Eigen::Vector4d& moment = matrix.moment(cell);
       const Eigen::Vector4d rest = flux.segment<4>(4 * cell) - moment * (flux[4 * cell] / moment[0]);
-      worst = std::max({worst, std::abs(lacking[cell]) / volumes[cell], dt * rest.norm() / volumes[cell]});
+      const double own = std::max(std::abs(lacking[cell]), dt * rest.norm()) / volumes[cell];
+      worst = own <= worst ? worst : own;  // not a number counts
     }
     return worst;
   }
@@ -144,6 +147,7 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
     contact.look(motion.velocity);
     lacking = motion.lack();
     step.volume_error = motion.error(lacking);
+    if (!(step.volume_error <= worst_volume)) return;
     if (step.factors < most_factors && (step.points_in_doubt = contact.choose()) > 0) {
       contact.add_changes(matrix);
       matrix.factorise();
@@ -169,7 +173,9 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
   matrix.assemble(problem, middle, glass.temperature);
   const Eigen::VectorXd volumes = volumes_by_mass(*problem.material, glass);
   Motion motion{matrix, glass.mesh, volumes, dt, glass.velocity, glass.pressure};
-  ToolContact contact(problem, matrix, glass.mesh, middle, glass.temperature, glass.velocity, dt);
+  ToolContact contact(
+      problem, matrix, glass.mesh, middle, glass.temperature, glass.velocity,
+      glass.contact.size() == contact_points_per_face * problem.contact_faces.size() ? &glass.contact : nullptr, dt);
   balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
   step.strain = dt * strain_rate(middle, motion.velocity);
   HexMesh end = moved(glass.mesh, motion.velocity, dt);

@@ -60,6 +60,7 @@ struct SolidContact {
   double gap = 0;       ///< m, negative inside the tool
   double pressure = 0;  ///< on the glass, beyond that of the gas, Pa; negative only where a tool grips
   bool touches = false;
+  bool released = false;  ///< pulled at the end of the step
 };
 
 /// Glass as a body in space at a moment.

@@ -14,13 +14,15 @@ namespace {
 
 /// kappa in viscosities of the cell over the size of the face: the glass enters the tool by less than a thousandth of a
 /// face where a step strains it as much as it may.
-constexpr double stiffness_factor = 1e3;
+constexpr double stiffness_factor = 100;
 /// A gap of glass that rests stays as it is up to this share of a face: no pressure irons out that a quadratic face and
 /// the tool differ.
 constexpr double tolerated_share = 1e-3;
 /// A point that would pass through the tool by less than this share of a face lands in the next step.
-constexpr double passed_share = 5e-3;
-constexpr double bearable_tension = 0.05;  ///< share of the mean pressure of contact
+constexpr double passed_share = 2e-2;
+/// What a step leaves of the depth, beyond that share, to which glass has passed into a tool.
+constexpr double kept_depth = 0.5;
+constexpr double bearable_tension = 0.5;  ///< share of the mean pressure of contact
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
 constexpr double grip_drag = 1e9;    ///< Pa.s/m, as in two dimensions
@@ -57,7 +59,7 @@ void ToolContact::nearest(const Vector3& at, double time, Point& point) const {
 
 ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start,
                          const HexMesh& middle, const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
-                         double dt)
+                         const std::vector<SolidContact>* before, double dt)
     : problem_(&problem), start_(&start), dt_(dt) {
   double fastest = largest(velocity);
   for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
@@ -79,8 +81,12 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
       far_.push_back({point.tool, point.gap, 0, false});
       if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * size) continue;
       point.start_gap = point.gap;
-      point.tolerated = std::clamp(point.gap, -tolerated_share * size, 0.0);
+      point.tolerated = std::min(point.gap, 0.0);
+      if (const double deeper = point.tolerated + tolerated_share * size; deeper < 0)
+        point.tolerated -= (1 - kept_depth) * deeper;
+      point.passed = passed_share * size;
       point.tied = problem.tools[point.tool].friction.law == Friction::Law::grip && point.gap <= grip_reach;
+      point.was_released = before && (*before)[far_.size() - 1].released;
       place_.push_back(static_cast<Index>(far_.size()) - 1);
       points_.push_back(point);
       double own = 0;
@@ -91,7 +97,7 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
   look(velocity);
   for (Point& point : points_) {
     set_friction(point, point.drag, point.velocity);
-    point.touches = point.tied || pressure(point) > 0;
+    point.touches = point.tied || (point.start_gap <= 0 && !point.was_released) || point.gap < -point.passed;
   }
 }
 
@@ -152,9 +158,8 @@ Index ToolContact::choose() {
   Index changed = 0;
   for (Point& point : points_) {
     if (point.tied) continue;
-    const double passes = passed_share * point.stiffness / dt_ * std::sqrt(point.area * contact_points_per_face);
     const double p = pressure(point);
-    const bool touches = point.touches ? p > -bearable : p > passes;
+    const bool touches = point.touches ? p > -bearable : point.gap < -point.passed;
     if (touches != point.touches) ++changed;
     point.touches = touches;
   }
@@ -198,7 +203,8 @@ std::vector<SolidContact> ToolContact::contact() const {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Point& point = points_[k];
     const double p = point.tied ? traction(point).dot(point.normal) : std::max(pressure(point), 0.0);
-    all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, point.touches};
+    const bool presses = point.touches && p > 0;
+    all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, presses || point.tied, point.touches && !presses};
   }
   return all;
 }

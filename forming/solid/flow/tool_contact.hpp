@@ -16,7 +16,8 @@ class ToolContact {
   /// For a step `dt`, s, from `start` with the balance of forces at `middle`. `velocity` is expected, three for each
   /// node, m/s: by it the points that touch are chosen.
   ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start, const HexMesh& middle,
-              const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity, double dt);
+              const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
+              const std::vector<SolidContact>* before, double dt);
 
   /// Looks at the end of the step with another velocity.
   void look(const Eigen::VectorXd& velocity);
@@ -34,11 +35,11 @@ class ToolContact {
   struct Point {
     Index face = 0;
     Eigen::Matrix<double, 9, 1> shape;
-    double area = 0, stiffness = 0, drag = 0, tolerated = 0, start_gap = 0;
+    double area = 0, stiffness = 0, drag = 0, tolerated = 0, passed = 0, start_gap = 0;
     double share_after_landing = 1;
     Vector3 slide_target = Vector3::Zero();  ///< m/s
     Index tool = -1;
-    bool tied = false, touches = false;
+    bool tied = false, touches = false, was_released = false;
     // At the velocity looked at.
     Vector3 velocity = Vector3::Zero(), normal = Vector3::Zero();
     double gap = 0;
