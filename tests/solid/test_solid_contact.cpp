@@ -38,7 +38,8 @@ struct SquareTube {
                        material)) {
     problem.material = &material;
     problem.planes = {
-        plane_of(glass.mesh, Vector3::Unit(1)), plane_of(glass.mesh, Vector3(-1, 1, 0).normalized()),
+        plane_of(glass.mesh, Vector3::Unit(1)),
+        plane_of(glass.mesh, Vector3(-1, 1, 0).normalized()),
         plane_of(glass.mesh, Vector3::Unit(2)),
         {Vector3::Unit(2), nodes_where(glass.mesh, [](const Vector3& x) { return x[2] > slice - 1e-9; })}};
     const double inside = radius * (1 - thin);
@@ -56,7 +57,8 @@ TEST(SolidContact, ABlownSquareTubeThinsTowardsItsCornerAsAMembraneThatSticks) {
   const double thin = getenv("TH") ? atof(getenv("TH")) : 0.025;
   SquareTube tube(getenv("NA") ? atoi(getenv("NA")) : 48, thin, flow::Friction::Law::stick);
   flow::FlowMatrix matrix(tube.glass.mesh, tube.problem.planes, {});
-  const auto corner = nodes_where(tube.glass.mesh, [](const Vector3& x) { return std::abs(x[0] - x[1]) < 1e-9 && x[2] < 1e-9; });
+  const auto corner =
+      nodes_where(tube.glass.mesh, [](const Vector3& x) { return std::abs(x[0] - x[1]) < 1e-9 && x[2] < 1e-9; });
   Index inside = corner[0], outside = corner[0];
   for (const Index n : corner) {
     if (tube.glass.mesh.nodes[n].norm() < tube.glass.mesh.nodes[inside].norm()) inside = n;
@@ -88,10 +90,12 @@ TEST(SolidContact, ABlownSquareTubeThinsTowardsItsCornerAsAMembraneThatSticks) {
     const double r = (std::sqrt(2) * radius - far) / (std::sqrt(2) - 1) / radius;
     const double h = (tube.glass.mesh.nodes[outside] - tube.glass.mesh.nodes[inside]).norm() / (thin * radius);
     if (steps % 10 == 0 || r < 0.3)
-      fmt::print("step {} dt {:.2e} r/R0 {:.4f} h/h0 {:.5f} membrane {:.5f} time {:.6f} touches {} doubt {} factors {} solutions {} force {:.4f} volume {:.1e}\n",
-                 steps, dt, r, h, std::pow(r, 4 / M_PI - 1), time / thin / 10,
-                 std::count_if(tube.glass.contact.begin(), tube.glass.contact.end(), [](const auto& c) { return c.touches; }),
-                 step.points_in_doubt, step.factors, step.solutions, step.tool_forces[0][0], step.volume_error);
+      fmt::print(
+          "step {} dt {:.2e} r/R0 {:.4f} h/h0 {:.5f} membrane {:.5f} time {:.6f} touches {} doubt {} factors {} "
+          "solutions {} force {:.4f} volume {:.1e}\n",
+          steps, dt, r, h, std::pow(r, 4 / M_PI - 1), time / thin / 10,
+          std::count_if(tube.glass.contact.begin(), tube.glass.contact.end(), [](const auto& c) { return c.touches; }),
+          step.points_in_doubt, step.factors, step.solutions, step.tool_forces[0][0], step.volume_error);
     if (r < 0.3) break;
   }
   fmt::print("steps {} factors {} solutions {} seconds {}\n", steps, factors, solutions,

@@ -12,8 +12,8 @@ namespace parison::flow {
 
 namespace {
 
-/// kappa in viscosities of the cell over the size of the face: the glass enters the tool by less than a thousandth of a
-/// face where a step strains it as much as it may.
+/// kappa in viscosities of the cell over the size of the face. It is larger where a step is so long that gas would
+/// press glass into the tool by more than the tolerated share.
 constexpr double stiffness_factor = 100;
 /// A gap of glass that rests stays as it is up to this share of a face: no pressure irons out that a quadratic face and
 /// the tool differ.
@@ -63,6 +63,8 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
     : problem_(&problem), start_(&start), dt_(dt) {
   double fastest = largest(velocity);
   for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
+  double highest = 0;
+  for (const auto& [faces, pressure] : problem.pressures) highest = std::max(highest, std::abs(pressure));
   for (std::size_t f = 0; f < problem.contact_faces.size(); ++f) {
     const HexFace& face = problem.contact_faces[f];
     const auto nodes = core::face_node_numbers(start, face);
@@ -76,7 +78,8 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
       point.face = static_cast<Index>(f);
       point.shape = at.shape;
       point.area = at.area;
-      point.stiffness = stiffness_factor * matrix.mean_viscosity(face.cell) / size;
+      point.stiffness =
+          std::max(stiffness_factor * matrix.mean_viscosity(face.cell), highest * dt / tolerated_share) / size;
       nearest(positions * at.shape, 0, point);
       far_.push_back({point.tool, point.gap, 0, false});
       if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * size) continue;
