@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/numbers.hpp"
+#include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
 #include "forming/solid/flow/surface_loads.hpp"
 #include "forming/solid/flow/tool_contact.hpp"
@@ -17,13 +17,29 @@ namespace {
 constexpr double volume_tolerance = 1e-9;
 constexpr double divergence_tolerance = 1e-10;  ///< at an instant, of the largest rate of the pressures' corrections
 constexpr int most_solutions = 30, most_factors = 3;
-constexpr double worst_volume = 0.1;  ///< of a cell, beyond which a step is too long
-constexpr double least_shape = 0.02;  ///< least Jacobian of a cell over that at its centre
-constexpr double most_strain = 0.5;   ///< of a step that is not repeated
+constexpr int most_halvings = 10;
+constexpr double steady_share = 0.25;  ///< largest change of a velocity that goes on
+constexpr double worst_volume = 0.1;   ///< of a cell, beyond which a step is too long
+constexpr double least_shape = 0.02;   ///< least Jacobian of a cell over that at its centre
+constexpr double most_strain = 0.5;    ///< of a step that is not repeated
 
 HexMesh moved(const HexMesh& mesh, const Eigen::VectorXd& velocity, double time) {
   HexMesh result = mesh;
   for (Index node = 0; node < mesh.node_count(); ++node) result.nodes[node] += time * velocity.segment<3>(3 * node);
+  return result;
+}
+
+/// Velocities of the first half of a step, in which they go on as they changed between the last two steps; where they
+/// changed much, and where glass touches a tool anywhere, those of the last: there what was seen is how glass landed.
+Eigen::VectorXd first_half(const SolidGlass& glass, double dt) {
+  const bool touches = std::any_of(glass.contact.begin(), glass.contact.end(), [](const auto& c) { return c.touches; });
+  if (touches || glass.velocity_before.size() != glass.velocity.size()) return glass.velocity;
+  const double ahead = (0.25 * dt + 0.5 * glass.last_step) / (0.5 * (glass.last_step + glass.step_before));
+  Eigen::VectorXd result = glass.velocity;
+  for (Index n = 0; 3 * n < result.size(); ++n) {
+    const Vector3 change = ahead * (glass.velocity - glass.velocity_before).segment<3>(3 * n);
+    if (change.norm() < steady_share * glass.velocity.segment<3>(3 * n).norm()) result.segment<3>(3 * n) += change;
+  }
   return result;
 }
 
@@ -168,7 +184,7 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
     glass.velocity = std::move(first.velocity);
     glass.pressure = std::move(first.pressure);
   }
-  const HexMesh middle = moved(glass.mesh, glass.velocity, 0.5 * dt);
+  const HexMesh middle = moved(glass.mesh, first_half(glass, dt), 0.5 * dt);
   if (is_folded(middle)) return step;
   matrix.assemble(problem, middle, glass.temperature);
   const Eigen::VectorXd volumes = volumes_by_mass(*problem.material, glass);
@@ -184,9 +200,16 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
   step.tool_forces = contact.tool_forces();
   glass.contact = contact.contact();
   glass.mesh.nodes = std::move(end.nodes);
-  glass.velocity = std::move(motion.velocity);
+  glass.velocity_before = std::exchange(glass.velocity, std::move(motion.velocity));
+  glass.step_before = std::exchange(glass.last_step, dt);
   glass.pressure = std::move(motion.pressure);
   return step;
+}
+
+SolidStep advance_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt) {
+  for (int halvings = 0; halvings < most_halvings; ++halvings, dt *= 0.5)
+    if (SolidStep step = step_flow(problem, matrix, glass, dt); step.accepted) return step;
+  throw core::RunError("cells of the glass fold, however short the step");
 }
 
 double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {
@@ -205,11 +228,10 @@ double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {
   return std::sqrt(2.0 / 3 * worst);
 }
 
-double propose_step(const SolidProblem& problem, const SolidGlass& glass, double strain_rate, double last,
-                    const SolidStepLimits& limits) {
-  double dt = last > 0 ? std::min(limits.longest, limits.growth * last) : limits.longest;
-  if (strain_rate > 0) dt = std::min(dt, limits.strain / strain_rate);
+double propose_step(const SolidProblem& problem, const SolidGlass& glass, const SolidStepLimits& limits) {
+  double dt = glass.last_step > 0 ? std::min(limits.longest, limits.growth * glass.last_step) : limits.longest;
   if (glass.velocity.size() == 0) return dt;
+  if (const double rate = strain_rate(glass.mesh, glass.velocity); rate > 0) dt = std::min(dt, limits.strain / rate);
   for (const HexFace& face : problem.contact_faces) {
     const auto nodes = core::face_node_numbers(glass.mesh, face);
     for (const auto& at : core::map_hex_face(core::face_nodes(glass.mesh, face), face, contact_points_along)) {

@@ -14,7 +14,7 @@ namespace {
 
 /// kappa in viscosities of the cell over the size of the face. It is larger where a step is so long that gas would
 /// press glass into the tool by more than the tolerated share.
-constexpr double stiffness_factor = 100;
+constexpr double stiffness_factor = 50;
 /// A gap of glass that rests stays as it is up to this share of a face: no pressure irons out that a quadratic face and
 /// the tool differ.
 constexpr double tolerated_share = 1e-3;
@@ -22,7 +22,7 @@ constexpr double tolerated_share = 1e-3;
 constexpr double passed_share = 2e-2;
 /// What a step leaves of the depth, beyond that share, to which glass has passed into a tool.
 constexpr double kept_depth = 0.5;
-constexpr double bearable_tension = 0.5;  ///< share of the mean pressure of contact
+constexpr double bearable_tension = 2;  ///< share of the mean pressure of contact
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
 constexpr double grip_drag = 1e9;    ///< Pa.s/m, as in two dimensions
