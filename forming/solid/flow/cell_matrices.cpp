@@ -12,7 +12,7 @@ namespace parison::flow {
 namespace {
 
 using core::HexRule;
-using Gradients = Eigen::Matrix<double, cell_unknowns, Eigen::Dynamic>;
+using Gradients = Eigen::Matrix<double, hex_unknowns, Eigen::Dynamic>;
 
 constexpr int points_along = 3;
 /// Gauss points across the wall by the range of ln eta in a column of nodes: {up to, points}. With fewer, a cell's
@@ -41,7 +41,7 @@ int points_across(const Eigen::ArrayXd& at_nodes) {
 }
 
 /// From the sum of eta times gradients of two shape functions, (3 node + derivative) by the same, to the matrix.
-void fill_viscous(const CellMatrix& sums, CellMatrix& viscous) {
+void fill_viscous(const HexMatrix& sums, HexMatrix& viscous) {
   for (int a = 0; a < 27; ++a)
     for (int b = 0; b <= a; ++b) {
       const Eigen::Matrix3d block = sums.block<3, 3>(3 * a, 3 * b);
@@ -55,12 +55,12 @@ void fill_viscous(const CellMatrix& sums, CellMatrix& viscous) {
 }  // namespace
 
 void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, const core::HexShape& temperature,
-                  CellMatrices& result) {
+                  HexMatrices& result) {
   const int across = points_across(log_viscosity(problem, temperature, nodes));
   const HexRule& rule = core::hex_rule(points_along, across);
   const auto count = static_cast<Index>(rule.at.size());
   thread_local Gradients gradients, weighted;
-  gradients.resize(cell_unknowns, count);
+  gradients.resize(hex_unknowns, count);
   const Eigen::ArrayXd viscosity =
       log_viscosity(problem, rule.shape.transpose() * temperature, nodes * rule.shape).exp();
   Eigen::ArrayXd volume(count);
@@ -72,7 +72,7 @@ void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, cons
     pressure.col(q) << 1, rule.at[q].array() - 0.5;
   }
   weighted = gradients * (viscosity * volume).matrix().asDiagonal();
-  CellMatrix sums;
+  HexMatrix sums;
   sums.noalias() = weighted * gradients.transpose();
   fill_viscous(sums, result.viscous);
   const Eigen::Matrix<double, 4, Eigen::Dynamic> pressure_volume = pressure * volume.matrix().asDiagonal();

@@ -7,14 +7,14 @@
 
 namespace parison::flow {
 
-inline constexpr int cell_unknowns = 81;  ///< velocities of a cell: component + 3 node
-using CellMatrix = Eigen::Matrix<double, cell_unknowns, cell_unknowns, Eigen::RowMajor>;
-using CellVector = Eigen::Matrix<double, cell_unknowns, 1>;
-using CellDivergence = Eigen::Matrix<double, 4, cell_unknowns, Eigen::RowMajor>;
+inline constexpr int hex_unknowns = 81;  ///< velocities of a cell: component + 3 node
+using HexMatrix = Eigen::Matrix<double, hex_unknowns, hex_unknowns, Eigen::RowMajor>;
+using CellVector = Eigen::Matrix<double, hex_unknowns, 1>;
+using CellDivergence = Eigen::Matrix<double, 4, hex_unknowns, Eigen::RowMajor>;
 
 /// What a cell adds to the balance of forces, with its velocities v and pressures p.
-struct CellMatrices {
-  CellMatrix viscous;         ///< int 2 eta D(u):D(v) dV, Pa.s.m
+struct HexMatrices {
+  HexMatrix viscous;          ///< int 2 eta D(u):D(v) dV, Pa.s.m
   CellDivergence divergence;  ///< int q div v dV for the four pressure functions q, m2
   Eigen::Matrix4d mass;       ///< int q q' dV, m3
   Eigen::Vector4d moment;     ///< int q dV, m3
@@ -25,6 +25,6 @@ struct CellMatrices {
 /// Over a cell at `nodes`, m, with `temperature` at them, K. The Gauss rule across the wall has the more points the
 /// more the viscosity differs there.
 void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, const core::HexShape& temperature,
-                  CellMatrices& result);
+                  HexMatrices& result);
 
 }  // namespace parison::flow

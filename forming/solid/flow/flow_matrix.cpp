@@ -45,7 +45,7 @@ CellVector FlowMatrix::of_cell(const Eigen::VectorXd& space, Index cell) const {
 }
 
 /// To the directions of its nodes.
-void FlowMatrix::turn(Index cell, CellMatrix& matrix) const {
+void FlowMatrix::turn(Index cell, HexMatrix& matrix) const {
   for (const int n : places_[cell].turned) {
     const Eigen::Matrix3d& frame = numbering_.frame(nodes_[cell][n]);
     matrix.middleCols<3>(3 * n) = (matrix.middleCols<3>(3 * n) * frame).eval();
@@ -64,7 +64,7 @@ void FlowMatrix::set_given(const SolidProblem& problem) {
 void FlowMatrix::assemble(const SolidProblem& problem, const HexMesh& mesh, const Eigen::VectorXd& temperature) {
   set_given(problem);
   std::fill(assembly_.matrix.value.begin(), assembly_.matrix.value.end(), 0.0);
-  CellMatrices computed;
+  HexMatrices computed;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     core::HexShape own;
     for (int n = 0; n < HexMesh::nodes_per_cell; ++n) own[n] = temperature[nodes_[cell][n]];
@@ -76,7 +76,7 @@ void FlowMatrix::assemble(const SolidProblem& problem, const HexMesh& mesh, cons
   }
 }
 
-void FlowMatrix::add(Index cell, const CellMatrix& matrix) {
+void FlowMatrix::add(Index cell, const HexMatrix& matrix) {
   if (moves_given_)
     if (const CellVector given = of_cell(given_, cell); !given.isZero(0)) {
       const CellVector force = matrix.selfadjointView<Eigen::Lower>() * given;
@@ -84,8 +84,8 @@ void FlowMatrix::add(Index cell, const CellMatrix& matrix) {
         given_force_.segment<3>(3 * nodes_[cell][n]) += force.segment<3>(3 * n);
     }
   const auto& [local, turned] = places_[cell];
-  const CellMatrix* own = &matrix;
-  CellMatrix in_frames;
+  const HexMatrix* own = &matrix;
+  HexMatrix in_frames;
   if (!turned.empty()) {
     in_frames = matrix.selfadjointView<Eigen::Lower>();
     turn(cell, in_frames);

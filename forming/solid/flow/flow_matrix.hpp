@@ -22,7 +22,7 @@ class FlowMatrix {
   /// Computes the cells of `glass` with its nodes at `mesh`; what contact added is gone.
   void assemble(const SolidProblem& problem, const HexMesh& mesh, const Eigen::VectorXd& temperature);
   /// Adds a matrix between the velocities of a cell, Pa.s.m; the lower triangle is read.
-  void add(Index cell, const CellMatrix& matrix);
+  void add(Index cell, const HexMatrix& matrix);
   /// Throws core::RunError where the matrix is not positive definite.
   void factorise();
   /// Velocities, m/s, three for each node, that balance `force`, N, likewise, with pressures, Pa, four for each cell,
@@ -56,7 +56,7 @@ class FlowMatrix {
     std::vector<int> turned;  ///< nodes with a frame of their own
   };
   CellVector of_cell(const Eigen::VectorXd& space, Index cell) const;
-  void turn(Index cell, CellMatrix& matrix) const;
+  void turn(Index cell, HexMatrix& matrix) const;
   void set_given(const SolidProblem& problem);
 
   Numbering numbering_;

@@ -184,6 +184,7 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
     glass.velocity = std::move(first.velocity);
     glass.pressure = std::move(first.pressure);
   }
+  if (glass.pressure.size() == 0) glass.pressure = Eigen::VectorXd::Zero(4 * glass.mesh.cell_count());
   const HexMesh middle = moved(glass.mesh, first_half(glass, dt), 0.5 * dt);
   if (is_folded(middle)) return step;
   matrix.assemble(problem, middle, glass.temperature);

@@ -61,9 +61,8 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
                          const HexMesh& middle, const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
                          const std::vector<SolidContact>* before, double dt)
     : problem_(&problem), start_(&start), dt_(dt) {
-  double fastest = largest(velocity);
+  double fastest = largest(velocity), highest = 0;
   for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
-  double highest = 0;
   for (const auto& [faces, pressure] : problem.pressures) highest = std::max(highest, std::abs(pressure));
   for (std::size_t f = 0; f < problem.contact_faces.size(); ++f) {
     const HexFace& face = problem.contact_faces[f];
@@ -72,53 +71,50 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
     const auto mapped = core::map_hex_face(core::face_nodes(middle, face), face, contact_points_along);
     double area = 0;
     for (const auto& at : mapped) area += at.area;
-    const double size = std::sqrt(area);
+    Point point;
+    point.face = static_cast<Index>(f);
+    point.size = std::sqrt(area);
+    point.stiffness =
+        std::max(stiffness_factor * matrix.mean_viscosity(face.cell), highest * dt / tolerated_share) / point.size;
     for (const auto& at : mapped) {
-      Point point;
-      point.face = static_cast<Index>(f);
       point.shape = at.shape;
       point.area = at.area;
-      point.stiffness =
-          std::max(stiffness_factor * matrix.mean_viscosity(face.cell), highest * dt / tolerated_share) / size;
       nearest(positions * at.shape, 0, point);
-      far_.push_back({point.tool, point.gap, 0, false});
-      if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * size) continue;
+      all_.push_back({point.tool, point.gap, 0, false, false});
+      if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * point.size) continue;
       point.start_gap = point.gap;
-      point.tolerated = std::min(point.gap, 0.0);
-      if (const double deeper = point.tolerated + tolerated_share * size; deeper < 0)
-        point.tolerated -= (1 - kept_depth) * deeper;
-      point.passed = passed_share * size;
-      point.tied = problem.tools[point.tool].friction.law == Friction::Law::grip && point.gap <= grip_reach;
-      point.was_released = before && (*before)[far_.size() - 1].released;
-      place_.push_back(static_cast<Index>(far_.size()) - 1);
+      point.was_released = before && (*before)[all_.size() - 1].released;
+      point.temperature = 0;
+      for (int n = 0; n < 9; ++n) point.temperature += at.shape[n] * temperature[nodes[n]];
+      place_.push_back(static_cast<Index>(all_.size()) - 1);
       points_.push_back(point);
-      double own = 0;
-      for (int n = 0; n < 9; ++n) own += at.shape[n] * temperature[nodes[n]];
-      points_.back().drag = own;  // until the tool is known that it meets
     }
   }
   look(velocity);
-  for (Point& point : points_) {
-    set_friction(point, point.drag, point.velocity);
-    point.touches = point.tied || (point.start_gap <= 0 && !point.was_released) || point.gap < -point.passed;
-  }
+  for (Point& point : points_) expect(point);
 }
 
-/// With the velocity that is expected: until glass lands it slides by that.
-void ToolContact::set_friction(Point& point, double temperature, const Vector3& expected) const {
+/// By the velocity that is expected, until glass lands it slides by that.
+void ToolContact::expect(Point& point) const {
+  point.tolerated = std::min(point.start_gap, 0.0);
+  if (const double deeper = point.tolerated + tolerated_share * point.size; deeper < 0)
+    point.tolerated -= (1 - kept_depth) * deeper;
+  if (point.tool < 0) return;
   const auto& [surface, offset, velocity, friction] = problem_->tools[point.tool];
-  if (point.start_gap > 0 && point.gap < 0) point.share_after_landing = point.gap / (point.gap - point.start_gap);
-  point.slide_target = velocity + (1 - point.share_after_landing) * (expected - velocity);
+  const double landed =
+      point.start_gap > 0 && point.gap < 0 ? point.gap / (point.gap - point.start_gap) : 1;  // share of the step
+  point.slide_target = velocity + (1 - landed) * (point.velocity - velocity);
+  point.tied = friction.law == Friction::Law::grip && point.start_gap <= grip_reach;
   if (point.tied)
     point.drag = grip_drag;
   else if (friction.law == Friction::Law::navier)
-    point.drag = friction.coefficient_at(temperature) * point.share_after_landing;
+    point.drag = friction.coefficient_at(point.temperature) * landed;
   else
     point.drag = friction.law == Friction::Law::slip ? 0 : point.stiffness;
+  point.touches = point.tied || (point.start_gap <= 0 && !point.was_released) || point.gap < -passed_share * point.size;
 }
 
 void ToolContact::look(const Eigen::VectorXd& velocity) {
-  velocity_ = velocity;
   Index face = -1;
   std::array<Index, 9> nodes{};
   core::HexFaceNodes positions;
@@ -134,10 +130,12 @@ void ToolContact::look(const Eigen::VectorXd& velocity) {
 }
 
 double ToolContact::pressure(const Point& point) const {
+  if (point.tool < 0) return -core::infinity;  // beyond the edge of all tools
   return -point.stiffness * (point.gap - point.tolerated) / dt_;
 }
 
 Vector3 ToolContact::traction(const Point& point) const {
+  if (point.tool < 0) return Vector3::Zero();
   if (point.tied) return -point.drag * (point.velocity - problem_->tools[point.tool].velocity);
   const Vector3 slip = point.velocity - point.slide_target;
   return pressure(point) * point.normal - point.drag * (slip - slip.dot(point.normal) * point.normal);
@@ -162,7 +160,7 @@ Index ToolContact::choose() {
   for (Point& point : points_) {
     if (point.tied) continue;
     const double p = pressure(point);
-    const bool touches = point.touches ? p > -bearable : point.gap < -point.passed;
+    const bool touches = point.touches ? p > -bearable : point.gap < -passed_share * point.size;
     if (touches != point.touches) ++changed;
     point.touches = touches;
   }
@@ -170,7 +168,7 @@ Index ToolContact::choose() {
 }
 
 void ToolContact::add_changes(FlowMatrix& matrix) {
-  CellMatrix sum;
+  HexMatrix sum;
   for (std::size_t first = 0, last = 0; first < points_.size(); first = last) {
     const HexFace& face = problem_->contact_faces[points_[first].face];
     const auto& local = core::hex_face_nodes(face.axis, face.end);
@@ -202,7 +200,7 @@ Eigen::VectorXd ToolContact::forces() const {
 }
 
 std::vector<SolidContact> ToolContact::contact() const {
-  std::vector<SolidContact> all = far_;
+  std::vector<SolidContact> all = all_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Point& point = points_[k];
     const double p = point.tied ? traction(point).dot(point.normal) : std::max(pressure(point), 0.0);
@@ -215,7 +213,7 @@ std::vector<SolidContact> ToolContact::contact() const {
 std::vector<Vector3> ToolContact::tool_forces() const {
   std::vector<Vector3> forces(problem_->tools.size(), Vector3::Zero());
   for (const Point& point : points_)
-    if (point.touches) forces[point.tool] -= point.area * traction(point);
+    if (point.touches && point.tool >= 0) forces[point.tool] -= point.area * traction(point);
   return forces;
 }
 
