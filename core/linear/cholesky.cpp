@@ -12,9 +12,29 @@
 
 #include "core/process/work_times.hpp"
 
+extern "C" __attribute__((weak)) int omp_get_max_active_levels();
+extern "C" __attribute__((weak)) void omp_set_max_active_levels(int levels);
+
 namespace parison::core {
 
 namespace {
+
+/// Keeps a supernodal factorisation on the calling thread: CHOLMOD asks OpenMP for four whatever the environment says,
+/// and on two cores they wait for each other twice as long as they compute.
+class OneThread {
+ public:
+  OneThread() : levels_(omp_get_max_active_levels ? omp_get_max_active_levels() : 0) {
+    if (omp_set_max_active_levels) omp_set_max_active_levels(0);
+  }
+  ~OneThread() {
+    if (omp_set_max_active_levels) omp_set_max_active_levels(levels_);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int levels_;
+};
 
 /// A triangle of the matrix in the order of elimination, and where each of the matrix's entries goes in it.
 struct Permuted {
@@ -172,6 +192,7 @@ bool Cholesky::factorise(const SymmetricMatrix& matrix) {
   data_->factor->ordering = CHOLMOD_NATURAL;
   {
     const WorkTimer timer(&WorkTimes::factorisation);
+    const OneThread thread;
     cholmod_factorize(&sparse, data_->factor, &data_->common);
   }
   data_->factor->ordering = CHOLMOD_GIVEN;
@@ -191,6 +212,7 @@ Eigen::MatrixXd Cholesky::solve_columns(const Eigen::MatrixXd& rhs) const {
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   const WorkTimer timer(&WorkTimes::solution);
+  const OneThread thread;
   cholmod_solve2(CHOLMOD_A, data_->factor, &b, nullptr, &data_->solution, nullptr, &data_->work_y, &data_->work_e,
                  &data_->common);
   return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(data_->solution->x), rhs.rows(), rhs.cols());

@@ -117,8 +117,7 @@ double propose_solid_step(const Scene& scene, const State& clock, const SolidSta
   flow::SolidStepLimits limits;
   limits.strain = 0.5 * scene.accuracy.strain_per_step;
   limits.longest = scene.accuracy.max_step;
-  return flow::propose_step(problem, solid.glass, flow::strain_rate(solid.glass.mesh, solid.glass.velocity), last,
-                            limits);
+  return flow::propose_step(problem, solid.glass, limits);
 }
 
 SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid) {

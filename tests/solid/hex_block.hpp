@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -67,6 +68,52 @@ inline core::HexMesh octant(Index n, Index layers, const std::function<double(do
           for (int m = 0; m < 27; ++m)
             cell[m] = column[patch][2 * i + m % 3 + (2 * n + 1) * (2 * j + m / 3 % 3)] + all * (2 * k + m / 9);
         }
+  return mesh;
+}
+
+/// Quarter of a round parison that hangs from a plane: a half ball below a tube, with layers from its inner side
+/// outwards. `bottom` and `top`: heights of its lowest point and of the plane, m.
+inline core::HexMesh round_parison(Index n, Index rows, Index layers, double radius, double wall, double bottom,
+                                   double top) {
+  using Quad = std::array<Index, 9>;
+  const core::HexMesh ball = octant(n, 1, [](double s) { return 1 + s; });
+  const Index sphere = ball.node_count() / 3;
+  std::vector<Vector3> direction(ball.nodes.begin(), ball.nodes.begin() + sphere);
+  std::vector<double> height(sphere, 0.0);  // of the share of the tube
+  std::vector<Quad> quads;
+  std::vector<std::pair<double, Index>> ring;
+  for (Index k = 0; k < sphere; ++k)
+    if (direction[k][2] == 0) ring.push_back({std::atan2(direction[k][1], direction[k][0]), k});
+  std::sort(ring.begin(), ring.end());
+  for (const auto& cell : ball.cells) {  // turned upside down below, so its sides change places
+    Quad& quad = quads.emplace_back();
+    for (int k = 0; k < 9; ++k) quad[k] = cell[k / 3 + 3 * (k % 3)];
+  }
+  const auto across = static_cast<Index>(ring.size());
+  const auto at = [&](Index row, Index i) { return row == 0 ? ring[i].second : sphere + (row - 1) * across + i; };
+  for (Index row = 1; row <= 2 * rows; ++row)
+    for (Index i = 0; i < across; ++i) {
+      direction.push_back(direction[at(0, i)]);
+      height.push_back(0.5 * row / rows);
+    }
+  for (Index row = 0; row < rows; ++row)
+    for (Index i = 0; i + 2 < across; i += 2) {
+      Quad& quad = quads.emplace_back();
+      for (int k = 0; k < 9; ++k) quad[k] = at(2 * row + k / 3, i + k % 3);
+    }
+  core::HexMesh mesh;
+  const auto all = static_cast<Index>(direction.size());
+  for (Index k = 0; k <= 2 * layers; ++k)
+    for (Index s = 0; s < all; ++s) {
+      const double r = radius - wall * (1 - 0.5 * k / layers);
+      const Vector3 d(direction[s][0], direction[s][1], -direction[s][2]);
+      mesh.nodes.push_back(r * d + Vector3(0, 0, bottom + radius + height[s] * (top - bottom - radius)));
+    }
+  for (const Quad& quad : quads)
+    for (Index k = 0; k < layers; ++k) {
+      auto& cell = mesh.cells.emplace_back();
+      for (int m = 0; m < 27; ++m) cell[m] = quad[m % 9] + all * (2 * k + m / 9);
+    }
   return mesh;
 }
 

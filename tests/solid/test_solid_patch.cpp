@@ -86,5 +86,55 @@ TEST(SolidPatch, PlanesAtAnyAngleCarryTheSameGlass) {
   expect_at_most("velocity of a stretched column at an angle", difference(result.velocity, exact), 1e-9);
 }
 
+/// Flux and largest speed of a quarter of a duct 2 a by 2 b wide, a and b in mm, under its weight: over those of
+/// rho g = 1 N/m3 and 1 Pa.s in a duct of full widths.
+std::pair<double, double> duct(Index n, double a, double b) {
+  const double length = 1e-3;
+  auto material = uniform_glass(1);
+  flow::SolidGlass glass = glass_of(hex_block(n, n, 1,
+                                              [&](const Vector3& x) -> Vector3 {
+                                                return {1e-3 * a * x[0], 1e-3 * b * x[1], length * x[2]};
+                                              }),
+                                    material);
+  flow::SolidProblem problem;
+  problem.material = &material;
+  problem.gravity = 1 / material.density;
+  problem.fixed =
+      nodes_where(glass.mesh, [&](const Vector3& x) { return x[0] > 1e-3 * a - 1e-9 || x[1] > 1e-3 * b - 1e-9; });
+  for (const int axis : {0, 1}) {
+    problem.planes.push_back(plane_of(glass.mesh, Vector3::Unit(axis)));
+    problem.planes.push_back({Vector3::Unit(axis), nodes_where(glass.mesh, [&](const Vector3& x) {
+                                return x[2] < 1e-9 || x[2] > length - 1e-9;
+                              })});
+  }
+  flow::FlowMatrix matrix(glass.mesh, problem.planes, problem.fixed);
+  const auto result = flow::solve_instant(problem, matrix, glass);
+  double flux = 0;
+  for (const core::HexFace& face : faces_where(glass.mesh, [](const Vector3& x) { return x[2] < 1e-9; })) {
+    const auto nodes = core::face_node_numbers(glass.mesh, face);
+    for (const auto& at : core::map_hex_face(core::face_nodes(glass.mesh, face), face, 3))
+      for (int k = 0; k < 9; ++k) flux += 4 * at.area * at.shape[k] * result.velocity[3 * nodes[k] + 2];
+  }
+  return {flux / (2e-3 * a * std::pow(2e-3 * b, 3)), result.velocity[2] / std::pow(2e-3 * b, 2)};
+}
+
+TEST(SolidPatch, DuctsCarryTheirFlux) {
+  for (const auto& [a, flux, speed] :
+       {std::tuple{2.0, 0.0351442537, 0.0736713533}, {4.0, 0.0571704193, 0.1138718321}}) {
+    double last = 0, order = 0, error = 0;
+    for (const Index n : {2, 4, 8}) {
+      const auto [q, u] = duct(n, a, 2.0);
+      error = std::abs(q / flux - 1);
+      if (last > 0) order = std::log2(last / error);
+      fmt::print("duct {} n {} flux error {:.2e} order {:.2f} speed error {:.2e}\n", a, n, error, order,
+                 std::abs(u / speed - 1));
+      last = error;
+      if (n == 8) expect_at_most("largest speed in a duct", std::abs(u / speed - 1), 1e-3);
+    }
+    expect_at_most("flux of a duct, 8 cells a half", error, 1e-4);
+    expect_at_least("its order", order, 2.5);
+  }
+}
+
 }  // namespace
 }  // namespace parison::tests

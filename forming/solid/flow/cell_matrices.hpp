@@ -14,7 +14,7 @@ using CellDivergence = Eigen::Matrix<double, 4, hex_unknowns, Eigen::RowMajor>;
 
 /// What a cell adds to the balance of forces, with its velocities v and pressures p.
 struct HexMatrices {
-  HexMatrix viscous;         ///< int 2 eta D(u):D(v) dV, Pa.s.m
+  HexMatrix viscous;          ///< int 2 eta D(u):D(v) dV, Pa.s.m
   CellDivergence divergence;  ///< int q div v dV for the four pressure functions q, m2
   Eigen::Matrix4d mass;       ///< int q q' dV, m3
   Eigen::Vector4d moment;     ///< int q dV, m3

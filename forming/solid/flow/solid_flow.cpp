@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/math/numbers.hpp"
+#include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
 #include "forming/solid/flow/surface_loads.hpp"
 #include "forming/solid/flow/tool_contact.hpp"
@@ -15,13 +16,30 @@ namespace {
 
 constexpr double volume_tolerance = 1e-9;
 constexpr double divergence_tolerance = 1e-10;  ///< at an instant, of the largest rate of the pressures' corrections
-constexpr int most_solutions = 30, most_factors = 6;
-constexpr double least_shape = 0.02;  ///< least Jacobian of a cell over that at its centre
-constexpr double most_strain = 0.5;   ///< of a step that is not repeated
+constexpr int most_solutions = 30, most_factors = 3;
+constexpr int most_halvings = 10;
+constexpr double steady_share = 0.25;  ///< largest change of a velocity that goes on
+constexpr double worst_volume = 0.1;   ///< of a cell, beyond which a step is too long
+constexpr double least_shape = 0.02;   ///< least Jacobian of a cell over that at its centre
+constexpr double most_strain = 0.5;    ///< of a step that is not repeated
 
 HexMesh moved(const HexMesh& mesh, const Eigen::VectorXd& velocity, double time) {
   HexMesh result = mesh;
   for (Index node = 0; node < mesh.node_count(); ++node) result.nodes[node] += time * velocity.segment<3>(3 * node);
+  return result;
+}
+
+/// Velocities of the first half of a step, in which they go on as they changed between the last two steps; where they
+/// changed much, and where glass touches a tool anywhere, those of the last: there what was seen is how glass landed.
+Eigen::VectorXd first_half(const SolidGlass& glass, double dt) {
+  const bool touches = std::any_of(glass.contact.begin(), glass.contact.end(), [](const auto& c) { return c.touches; });
+  if (touches || glass.velocity_before.size() != glass.velocity.size()) return glass.velocity;
+  const double ahead = (0.25 * dt + 0.5 * glass.last_step) / (0.5 * (glass.last_step + glass.step_before));
+  Eigen::VectorXd result = glass.velocity;
+  for (Index n = 0; 3 * n < result.size(); ++n) {
+    const Vector3 change = ahead * (glass.velocity - glass.velocity_before).segment<3>(3 * n);
+    if (change.norm() < steady_share * glass.velocity.segment<3>(3 * n).norm()) result.segment<3>(3 * n) += change;
+  }
   return result;
 }
 
@@ -110,7 +128,8 @@ struct Motion {
     for (Index cell = 0; cell < volumes.size(); ++cell) {
       const Eigen::Vector4d& moment = matrix.moment(cell);
       const Eigen::Vector4d rest = flux.segment<4>(4 * cell) - moment * (flux[4 * cell] / moment[0]);
-      worst = std::max({worst, std::abs(lacking[cell]) / volumes[cell], dt * rest.norm() / volumes[cell]});
+      const double own = std::max(std::abs(lacking[cell]), dt * rest.norm()) / volumes[cell];
+      worst = own <= worst ? worst : own;  // not a number counts
     }
     return worst;
   }
@@ -144,6 +163,7 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
     contact.look(motion.velocity);
     lacking = motion.lack();
     step.volume_error = motion.error(lacking);
+    if (!(step.volume_error <= worst_volume)) return;
     if (step.factors < most_factors && (step.points_in_doubt = contact.choose()) > 0) {
       contact.add_changes(matrix);
       matrix.factorise();
@@ -163,12 +183,15 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
     glass.velocity = Eigen::VectorXd::Zero(3 * glass.mesh.node_count());
     glass.pressure = Eigen::VectorXd::Zero(4 * glass.mesh.cell_count());
   }
-  const HexMesh middle = moved(glass.mesh, glass.velocity, 0.5 * dt);
+  if (glass.pressure.size() == 0) glass.pressure = Eigen::VectorXd::Zero(4 * glass.mesh.cell_count());
+  const HexMesh middle = moved(glass.mesh, first_half(glass, dt), 0.5 * dt);
   if (is_folded(middle)) return step;
   matrix.assemble(problem, middle, glass.temperature);
   const Eigen::VectorXd volumes = volumes_by_mass(*problem.material, glass);
   Motion motion{matrix, glass.mesh, volumes, dt, glass.velocity, glass.pressure};
-  ToolContact contact(problem, matrix, glass.mesh, middle, glass.temperature, glass.velocity, dt);
+  ToolContact contact(
+      problem, matrix, glass.mesh, middle, glass.temperature, glass.velocity,
+      glass.contact.size() == contact_points_per_face * problem.contact_faces.size() ? &glass.contact : nullptr, dt);
   balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
   step.strain = dt * strain_rate(middle, motion.velocity);
   HexMesh end = moved(glass.mesh, motion.velocity, dt);
@@ -177,9 +200,16 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
   step.tool_forces = contact.tool_forces();
   glass.contact = contact.contact();
   glass.mesh.nodes = std::move(end.nodes);
-  glass.velocity = std::move(motion.velocity);
+  glass.velocity_before = std::exchange(glass.velocity, std::move(motion.velocity));
+  glass.step_before = std::exchange(glass.last_step, dt);
   glass.pressure = std::move(motion.pressure);
   return step;
+}
+
+SolidStep advance_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt) {
+  for (int halvings = 0; halvings < most_halvings; ++halvings, dt *= 0.5)
+    if (SolidStep step = step_flow(problem, matrix, glass, dt); step.accepted) return step;
+  throw core::RunError("cells of the glass fold, however short the step");
 }
 
 double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {
@@ -198,11 +228,10 @@ double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {
   return std::sqrt(2.0 / 3 * worst);
 }
 
-double propose_step(const SolidProblem& problem, const SolidGlass& glass, double strain_rate, double last,
-                    const SolidStepLimits& limits) {
-  double dt = last > 0 ? std::min(limits.longest, limits.growth * last) : limits.longest;
-  if (strain_rate > 0) dt = std::min(dt, limits.strain / strain_rate);
+double propose_step(const SolidProblem& problem, const SolidGlass& glass, const SolidStepLimits& limits) {
+  double dt = glass.last_step > 0 ? std::min(limits.longest, limits.growth * glass.last_step) : limits.longest;
   if (glass.velocity.size() == 0) return dt;
+  if (const double rate = strain_rate(glass.mesh, glass.velocity); rate > 0) dt = std::min(dt, limits.strain / rate);
   for (const HexFace& face : problem.contact_faces) {
     const auto nodes = core::face_node_numbers(glass.mesh, face);
     for (const auto& at : core::map_hex_face(core::face_nodes(glass.mesh, face), face, contact_points_along)) {

@@ -34,19 +34,22 @@ Eigen::VectorXd volumes_by_mass(const Material& material, const SolidGlass& glas
 Eigen::VectorXd masses_by_volume(const Material& material, const HexMesh& mesh, const Eigen::VectorXd& temperature);
 
 /// Moves the glass over a step `dt`, s: of second order, by the velocities on the configuration expected in its middle;
-/// volumes are exact. `matrix` belongs to the mesh and the conditions of the problem.
+/// volumes are exact. Without velocities of a step before, those of the instant are found first, without tools.
+/// `matrix` belongs to the mesh and the conditions of the problem.
 SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
+
+/// The same, by halves of `dt` until the step is accepted; throws core::RunError where cells fold however short it is.
+SolidStep advance_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
 
 /// What a step may do.
 struct SolidStepLimits {
   double strain = 0.15;
   double landing = 2e-4;  ///< way of a point, m, that it would go beyond the tool that it lands on
   double growth = 1.5;    ///< on the step before
-  double longest = 1;     ///< s
+  double longest = 1;     ///< s; a first step without velocities has this length
 };
-/// The step, s, after one with the last velocity and `strain_rate`, 1/s; `last`, s, of 0 for none.
-double propose_step(const SolidProblem& problem, const SolidGlass& glass, double strain_rate, double last,
-                    const SolidStepLimits& limits);
+/// The step, s, after the last one, by its velocities.
+double propose_step(const SolidProblem& problem, const SolidGlass& glass, const SolidStepLimits& limits);
 /// The largest rate of strain of a cell, sqrt(2/3 D:D), 1/s.
 double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity);
 

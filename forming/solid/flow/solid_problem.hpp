@@ -55,15 +55,18 @@ struct SolidContact {
   double gap = 0;       ///< m, negative inside the tool
   double pressure = 0;  ///< on the glass, beyond that of the gas, Pa; negative only where a tool grips
   bool touches = false;
+  bool released = false;  ///< pulled at the end of the step
 };
 
 /// Glass as a body in space at a moment.
 struct SolidGlass {
   HexMesh mesh;
-  Eigen::VectorXd temperature;  ///< at each node, K
-  Eigen::VectorXd cell_mass;    ///< kg
-  Eigen::VectorXd velocity;     ///< of the last step, 3 for each node, m/s; empty: none yet
-  Eigen::VectorXd pressure;     ///< of the last step, Pa: 4 for each cell, of {1, x-1/2, y-1/2, z-1/2} in its cube
+  Eigen::VectorXd temperature;            ///< at each node, K
+  Eigen::VectorXd cell_mass;              ///< kg
+  Eigen::VectorXd velocity;               ///< of the last step, 3 for each node, m/s; empty: none yet
+  Eigen::VectorXd velocity_before;        ///< of the step before that, m/s; empty: none yet
+  double last_step = 0, step_before = 0;  ///< their lengths, s; 0: none yet
+  Eigen::VectorXd pressure;  ///< of the last step, Pa: 4 for each cell, of {1, x-1/2, y-1/2, z-1/2} in its cube
   std::vector<SolidContact> contact;  ///< of SolidProblem::contact_faces; empty: none yet
 };
 

@@ -12,15 +12,17 @@ namespace parison::flow {
 
 namespace {
 
-/// kappa in viscosities of the cell over the size of the face: the glass enters the tool by less than a thousandth of a
-/// face where a step strains it as much as it may.
-constexpr double stiffness_factor = 1e3;
+/// kappa in viscosities of the cell over the size of the face. It is larger where a step is so long that gas would
+/// press glass into the tool by more than the tolerated share.
+constexpr double stiffness_factor = 50;
 /// A gap of glass that rests stays as it is up to this share of a face: no pressure irons out that a quadratic face and
 /// the tool differ.
 constexpr double tolerated_share = 1e-3;
 /// A point that would pass through the tool by less than this share of a face lands in the next step.
-constexpr double passed_share = 5e-3;
-constexpr double bearable_tension = 0.05;  ///< share of the mean pressure of contact
+constexpr double passed_share = 2e-2;
+/// What a step leaves of the depth, beyond that share, to which glass has passed into a tool.
+constexpr double kept_depth = 0.5;
+constexpr double bearable_tension = 2;  ///< share of the mean pressure of contact
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
 constexpr double grip_drag = 1e9;    ///< Pa.s/m, as in two dimensions
@@ -57,10 +59,11 @@ void ToolContact::nearest(const Vector3& at, double time, Point& point) const {
 
 ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start,
                          const HexMesh& middle, const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
-                         double dt)
+                         const std::vector<SolidContact>* before, double dt)
     : problem_(&problem), start_(&start), dt_(dt) {
-  double fastest = largest(velocity);
+  double fastest = largest(velocity), highest = 0;
   for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
+  for (const auto& [faces, pressure] : problem.pressures) highest = std::max(highest, std::abs(pressure));
   for (std::size_t f = 0; f < problem.contact_faces.size(); ++f) {
     const HexFace& face = problem.contact_faces[f];
     const auto nodes = core::face_node_numbers(start, face);
@@ -68,48 +71,50 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
     const auto mapped = core::map_hex_face(core::face_nodes(middle, face), face, contact_points_along);
     double area = 0;
     for (const auto& at : mapped) area += at.area;
-    const double size = std::sqrt(area);
+    Point point;
+    point.face = static_cast<Index>(f);
+    point.size = std::sqrt(area);
+    point.stiffness =
+        std::max(stiffness_factor * matrix.mean_viscosity(face.cell), highest * dt / tolerated_share) / point.size;
     for (const auto& at : mapped) {
-      Point point;
-      point.face = static_cast<Index>(f);
       point.shape = at.shape;
       point.area = at.area;
-      point.stiffness = stiffness_factor * matrix.mean_viscosity(face.cell) / size;
       nearest(positions * at.shape, 0, point);
-      far_.push_back({point.tool, point.gap, 0, false});
-      if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * size) continue;
+      all_.push_back({point.tool, point.gap, 0, false, false});
+      if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * point.size) continue;
       point.start_gap = point.gap;
-      point.tolerated = std::clamp(point.gap, -tolerated_share * size, 0.0);
-      point.tied = problem.tools[point.tool].friction.law == Friction::Law::grip && point.gap <= grip_reach;
-      place_.push_back(static_cast<Index>(far_.size()) - 1);
+      point.was_released = before && (*before)[all_.size() - 1].released;
+      point.temperature = 0;
+      for (int n = 0; n < 9; ++n) point.temperature += at.shape[n] * temperature[nodes[n]];
+      place_.push_back(static_cast<Index>(all_.size()) - 1);
       points_.push_back(point);
-      double own = 0;
-      for (int n = 0; n < 9; ++n) own += at.shape[n] * temperature[nodes[n]];
-      points_.back().drag = own;  // until the tool is known that it meets
     }
   }
   look(velocity);
-  for (Point& point : points_) {
-    set_friction(point, point.drag, point.velocity);
-    point.touches = point.tied || pressure(point) > 0 || (fastest == 0 && point.gap <= point.tolerated);
-  }
+  for (Point& point : points_) expect(point);
 }
 
-/// With the velocity that is expected: until glass lands it slides by that.
-void ToolContact::set_friction(Point& point, double temperature, const Vector3& expected) const {
+/// By the velocity that is expected, until glass lands it slides by that.
+void ToolContact::expect(Point& point) const {
+  point.tolerated = std::min(point.start_gap, 0.0);
+  if (const double deeper = point.tolerated + tolerated_share * point.size; deeper < 0)
+    point.tolerated -= (1 - kept_depth) * deeper;
+  if (point.tool < 0) return;
   const auto& [surface, offset, velocity, friction] = problem_->tools[point.tool];
-  if (point.start_gap > 0 && point.gap < 0) point.share_after_landing = point.gap / (point.gap - point.start_gap);
-  point.slide_target = velocity + (1 - point.share_after_landing) * (expected - velocity);
+  const double landed =
+      point.start_gap > 0 && point.gap < 0 ? point.gap / (point.gap - point.start_gap) : 1;  // share of the step
+  point.slide_target = velocity + (1 - landed) * (point.velocity - velocity);
+  point.tied = friction.law == Friction::Law::grip && point.start_gap <= grip_reach;
   if (point.tied)
     point.drag = grip_drag;
   else if (friction.law == Friction::Law::navier)
-    point.drag = friction.coefficient_at(temperature) * point.share_after_landing;
+    point.drag = friction.coefficient_at(point.temperature) * landed;
   else
     point.drag = friction.law == Friction::Law::slip ? 0 : point.stiffness;
+  point.touches = point.tied || (point.start_gap <= 0 && !point.was_released) || point.gap < -passed_share * point.size;
 }
 
 void ToolContact::look(const Eigen::VectorXd& velocity) {
-  velocity_ = velocity;
   Index face = -1;
   std::array<Index, 9> nodes{};
   core::HexFaceNodes positions;
@@ -125,10 +130,12 @@ void ToolContact::look(const Eigen::VectorXd& velocity) {
 }
 
 double ToolContact::pressure(const Point& point) const {
+  if (point.tool < 0) return -core::infinity;  // beyond the edge of all tools
   return -point.stiffness * (point.gap - point.tolerated) / dt_;
 }
 
 Vector3 ToolContact::traction(const Point& point) const {
+  if (point.tool < 0) return Vector3::Zero();
   if (point.tied) return -point.drag * (point.velocity - problem_->tools[point.tool].velocity);
   const Vector3 slip = point.velocity - point.slide_target;
   return pressure(point) * point.normal - point.drag * (slip - slip.dot(point.normal) * point.normal);
@@ -152,9 +159,8 @@ Index ToolContact::choose() {
   Index changed = 0;
   for (Point& point : points_) {
     if (point.tied) continue;
-    const double passes = passed_share * point.stiffness / dt_ * std::sqrt(point.area * contact_points_per_face);
     const double p = pressure(point);
-    const bool touches = point.touches ? p > -bearable : p > passes;
+    const bool touches = point.touches ? p > -bearable : point.gap < -passed_share * point.size;
     if (touches != point.touches) ++changed;
     point.touches = touches;
   }
@@ -194,11 +200,12 @@ Eigen::VectorXd ToolContact::forces() const {
 }
 
 std::vector<SolidContact> ToolContact::contact() const {
-  std::vector<SolidContact> all = far_;
+  std::vector<SolidContact> all = all_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Point& point = points_[k];
     const double p = point.tied ? traction(point).dot(point.normal) : std::max(pressure(point), 0.0);
-    all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, point.touches};
+    const bool presses = point.touches && p > 0;
+    all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, presses || point.tied, point.touches && !presses};
   }
   return all;
 }
@@ -206,7 +213,7 @@ std::vector<SolidContact> ToolContact::contact() const {
 std::vector<Vector3> ToolContact::tool_forces() const {
   std::vector<Vector3> forces(problem_->tools.size(), Vector3::Zero());
   for (const Point& point : points_)
-    if (point.touches) forces[point.tool] -= point.area * traction(point);
+    if (point.touches && point.tool >= 0) forces[point.tool] -= point.area * traction(point);
   return forces;
 }
 

@@ -16,7 +16,8 @@ class ToolContact {
   /// For a step `dt`, s, from `start` with the balance of forces at `middle`. `velocity` is expected, three for each
   /// node, m/s: by it the points that touch are chosen.
   ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start, const HexMesh& middle,
-              const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity, double dt);
+              const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
+              const std::vector<SolidContact>* before, double dt);
 
   /// Looks at the end of the step with another velocity.
   void look(const Eigen::VectorXd& velocity);
@@ -34,12 +35,14 @@ class ToolContact {
   struct Point {
     Index face = 0;
     Eigen::Matrix<double, 9, 1> shape;
-    double area = 0, stiffness = 0, drag = 0, tolerated = 0, start_gap = 0;
-    double share_after_landing = 1;
-    Vector3 slide_target = Vector3::Zero();  ///< m/s
+    double area = 0, size = 0;               ///< m2, and the root of the face's
+    double stiffness = 0, drag = 0;          ///< across and along the tool, Pa.s/m
+    double start_gap = 0, tolerated = 0;     ///< m
+    double temperature = 0;                  ///< K
+    Vector3 slide_target = Vector3::Zero();  ///< velocity that friction pulls to, m/s
+    bool tied = false, touches = false, was_released = false;
+    // At the velocity looked at: the nearest tool, and the gap to it at the end of the step.
     Index tool = -1;
-    bool tied = false, touches = false;
-    // At the velocity looked at.
     Vector3 velocity = Vector3::Zero(), normal = Vector3::Zero();
     double gap = 0;
     // In the matrix.
@@ -47,7 +50,7 @@ class ToolContact {
     Eigen::Matrix3d added = Eigen::Matrix3d::Zero();  ///< Pa.s/m
   };
   void nearest(const Vector3& at, double time, Point& point) const;
-  void set_friction(Point& point, double temperature, const Vector3& expected) const;
+  void expect(Point& point) const;
   double pressure(const Point& point) const;
   Vector3 traction(const Point& point) const;
   Eigen::Matrix3d slope(const Point& point) const;
@@ -55,10 +58,9 @@ class ToolContact {
   const SolidProblem* problem_;
   const HexMesh* start_;
   double dt_;
-  std::vector<Point> points_;  ///< that may touch
-  std::vector<Index> place_;   ///< of each in contact()
-  std::vector<SolidContact> far_;
-  Eigen::VectorXd velocity_;
+  std::vector<Point> points_;      ///< that may touch
+  std::vector<Index> place_;       ///< of each in contact()
+  std::vector<SolidContact> all_;  ///< as at the start of the step
 };
 
 }  // namespace parison::flow
