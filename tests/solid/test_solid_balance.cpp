@@ -65,6 +65,7 @@ TEST(SolidBalance, an_insulated_pair_keeps_its_heat_while_the_glass_moves) {
   SolidStepMatrix matrix;
   const double before = total(pressing.problem(), temperature);
   double exchanged = 0;
+  Index substeps = 0;
   tests::Figure mismatch("heat out of glass against that into the tool, in space: off by");
   for (int step = 0; step < 5; ++step) {
     const SolidProblem problem = pressing.problem();
@@ -72,10 +73,13 @@ TEST(SolidBalance, an_insulated_pair_keeps_its_heat_while_the_glass_moves) {
     ASSERT_TRUE(end.converged) << end.reason;
     temperature = end.temperature;
     exchanged += end.balance.pairs[0].heat;
+    substeps += end.substeps + end.rejected;
     mismatch.add(flux_mismatch(end.balance));
     for (auto& x : pressing.glass.mesh.nodes) x[0] *= 1.02, x[1] *= 1.01, x[2] /= 1.02 * 1.01;
   }
   EXPECT_GT(exchanged, 5);
+  EXPECT_EQ(matrix.analyses, 1);
+  EXPECT_LT(matrix.factorisations, substeps);  // one serves while the stages converge with it
   EXPECT_LT(temperature[0].minCoeff(), 1300);
   tests::expect_at_most("heat of an insulated pair in space: lost, share of what passed",
                         std::abs(total(pressing.problem(), temperature) - before) / exchanged, 1e-12);
@@ -114,6 +118,27 @@ TEST(SolidBalance, contact_replaces_the_exchange_with_the_air) {
   ASSERT_TRUE(end.converged) << end.reason;
   const double open = side * side * (1 - 0.7);  // the mould ends at 0.7 of the side
   EXPECT_NEAR(end.balance.bodies[0].to_air, 1e-6 * 100 * 1100 * open, 1e-3 * 1e-6 * 100 * 1100 * open);
+}
+
+TEST(SolidBalance, a_kept_factor_changes_no_result) {
+  Pressing pressing;
+  SolidProblem problem = pressing.problem();
+  problem.bodies[1].prescribed.resize(4);
+  SolidStepMatrix kept;
+  std::vector<Eigen::VectorXd> temperature = pressing.temperature;
+  for (const bool held : {false, true}) {
+    if (held) problem.bodies[1].prescribed[bottom] = core::TimeFunction(690);
+    for (const double dt : {0.02, 0.025, 0.01}) {
+      SolidStepMatrix fresh;
+      const StepOutcome with = advance(problem, 0, temperature, dt, one_step(), kept);
+      const StepOutcome without = advance(problem, 0, temperature, dt, one_step(), fresh);
+      ASSERT_TRUE(with.converged && without.converged) << with.reason << without.reason;
+      for (Index body = 0; body < 2; ++body)
+        EXPECT_LT((with.temperature[body] - without.temperature[body]).lpNorm<Eigen::Infinity>(), 1e-7);
+      temperature = with.temperature;
+    }
+  }
+  EXPECT_LT(kept.factorisations, 6);
 }
 
 TEST(SolidBalance, an_inverted_cell_is_named) {
