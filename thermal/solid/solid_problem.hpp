@@ -35,6 +35,10 @@ SolidBodyView solid_body(const core::HexMesh& mesh, const std::vector<core::Quad
                          const Eigen::VectorXd& mass, const Material& material);
 SolidBodyView solid_body(const core::PrismMesh& mesh, const Eigen::VectorXd& mass, const Material& material);
 
+/// A material whose light, where it has some in bands, is conducted (S. Rosseland 1924): until light in space is
+/// computed, with the mean absorption of the bands.
+Material conducting_light(Material material);
+
 /// Mass at the points of the cells, kg, where the nodes are now: volume times the material's density at the nodal
 /// temperature, K. To be kept with the mesh for as long as it moves.
 Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core::CellList& cells,
