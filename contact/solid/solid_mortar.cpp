@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "contact/mortar/mortar.hpp"
@@ -32,7 +33,7 @@ struct SlaveFace {
         face(number),
         plane(*of.nodes, (*of.faces)[number]),
         projected(plane, *of.nodes, (*of.faces)[number]),
-        polygon(outline(projected, false)),
+        polygon(outline(projected)),
         polygon_area(area(polygon)) {}
   const core::QuadFace& quad() const { return (*surface.faces)[face]; }
 };
@@ -41,8 +42,8 @@ struct SlaveFace {
 struct Opposite {
   Index master, face;
   ProjectedFace projected;
-  Polygon polygon;  ///< by the corners
-  Polygon segment;  ///< what it has in common with the slave
+  std::vector<Polygon> pieces;
+  std::vector<Polygon> segments = {};  ///< what they have in common with the slave
 };
 
 /// A quadrature point of a slave face, in its plane.
@@ -53,14 +54,12 @@ struct PlanePoint {
   Vector3 position;
 };
 
-using Triangle = std::array<Point, 3>;
-
-/// Calls visit(triangle) for the triangles of a fan, but for slivers.
+/// Calls visit(triangle) for the triangles of a polygon, but for slivers.
 template <typename Visit>
 void for_each_triangle(const SlaveFace& slave, const Polygon& polygon, const Visit& visit) {
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const double twice = core::cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
-    if (std::abs(twice) >= least_segment * slave.polygon_area) visit(Triangle{polygon[0], polygon[k], polygon[k + 1]});
+  for (const Triangle& triangle : triangulate(polygon)) {
+    const double twice = core::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    if (std::abs(twice) >= least_segment * slave.polygon_area) visit(triangle);
   }
 }
 
@@ -128,10 +127,14 @@ std::vector<Opposite> opposites_of(const SlaveFace& slave, const Opponents& oppo
       const Index face = surface.touching[at];
       const core::QuadFace& quad = (*surface.faces)[face];
       if (FacePlane(*surface.nodes, quad).normal.dot(slave.plane.normal) > -least_opposition) continue;
-      Opposite opposite{static_cast<Index>(m), face, ProjectedFace(slave.plane, *surface.nodes, quad), {}, {}};
-      for (const int corner : {0, 6, 8, 2}) opposite.polygon.push_back(opposite.projected.node(corner));
-      opposite.segment = clip(slave.polygon, opposite.polygon);
-      if (opposite.segment.size() < 3 || area(opposite.segment) < least_segment * slave.polygon_area) continue;
+      const ProjectedFace projected(slave.plane, *surface.nodes, quad);
+      Opposite opposite{static_cast<Index>(m), face, projected, turned_pieces(projected)};
+      for (const Polygon& piece : opposite.pieces) {
+        Polygon segment = clip(slave.polygon, piece);
+        if (segment.size() > 2 && area(segment) >= least_segment * slave.polygon_area)
+          opposite.segments.push_back(std::move(segment));
+      }
+      if (opposite.segments.empty()) continue;
       found.push_back(std::move(opposite));
     }
   }
@@ -142,7 +145,9 @@ std::vector<Opposite> opposites_of(const SlaveFace& slave, const Opponents& oppo
 bool is_hidden(const SlaveFace& slave, const PlanePoint& point, const std::vector<SolidMaster>& masters,
                const std::vector<Opposite>& opposites, std::size_t own, double distance) {
   for (std::size_t k = 0; k < opposites.size(); ++k) {
-    if (k == own || !holds(opposites[k].polygon, point.at)) continue;
+    const auto& pieces = opposites[k].pieces;
+    const auto covers = [&](const Polygon& piece) { return holds(piece, point.at); };
+    if (k == own || std::none_of(pieces.begin(), pieces.end(), covers)) continue;
     const auto other = facing(slave, point, masters[opposites[k].master].surface, opposites[k]);
     if (!other) continue;
     const double nearer = std::abs(other->distance) - std::abs(distance);
@@ -158,7 +163,8 @@ class SegmentPoints {
                 const SolidMortarOptions& options)
       : slave_(slave), masters_(masters), opposites_(opposites), options_(options) {
     double covered = 0;
-    for (const Opposite& opposite : opposites) covered += area(opposite.segment);
+    for (const Opposite& opposite : opposites)
+      for (const Polygon& segment : opposite.segments) covered += area(segment);
     overlap_ = covered > (1 + 1e-6) * slave.polygon_area;
     correction_ = area_correction(slave, options.degree);
   }
@@ -168,8 +174,8 @@ class SegmentPoints {
     own_ = opposite;
     pair_ = pair;
     near_ = false;
-    for_each_triangle(slave_, opposites_[opposite].segment,
-                      [&](const Triangle& triangle) { add_triangle(triangle, 0, points); });
+    for (const Polygon& segment : opposites_[opposite].segments)
+      for_each_triangle(slave_, segment, [&](const Triangle& triangle) { add_triangle(triangle, 0, points); });
     return near_;
   }
 
