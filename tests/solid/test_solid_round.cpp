@@ -55,7 +55,7 @@ TEST(SolidRound, a_wedge_of_round_bodies_cools_as_they_do_in_the_plane) {
                                   1.5, {0.02}, matrix);
   ASSERT_TRUE(end.converged) << end.reason;
   tests::Figure off("wedge of round bodies against the plane: off by", "K"), heat("heat there: off by"),
-      rim("the same at the rim, where both meshes end in other chords: off by", "K");
+      rim("the same towards the rim, where both meshes end in other chords: off by", "K");
   const auto compare = [&](const core::PrismMesh& mesh, const core::Mesh& section, Index b) {
     for (Index n = 0; n < mesh.node_count(); ++n) {
       const Index from = mesh.section_node[n];
@@ -67,9 +67,9 @@ TEST(SolidRound, a_wedge_of_round_bodies_cools_as_they_do_in_the_plane) {
   const double share = wedge / (2 * M_PI);
   heat.add(std::abs(end.balance.pairs[0].heat / (share * exact.balance.pairs[0].heat) - 1));
   heat.add(std::abs(end.balance.bodies[0].to_air / (share * exact.balance.bodies[0].to_air) - 1));
-  off.at_most(0.05);
+  off.at_most(0.2);
   rim.at_most(2);
-  heat.at_most(1e-3);
+  heat.at_most(1e-4);
 }
 
 TEST(SolidRound, the_wall_of_layers_is_as_thick_as_drawn) {
