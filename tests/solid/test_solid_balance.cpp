@@ -44,13 +44,15 @@ struct Pressing {
     made.interface =
         contact::build_interface(contact::solid_surface(0, glass.mesh.nodes, glass.faces, {z_low}),
                                  {{contact::solid_surface(1, tool.nodes, tool.faces, {top}), 0, 1e-4, state}});
-    made.law = [law = contact::InterfaceConductance({contact::PressureViscosityConductance{}},
-                                                    contact::conductance_points(made.interface.points))](
-                   double, const std::vector<core::SolidInterfacePoint>&, const InterfaceTemperatures& at,
-                   Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) {
-      law(25 - at.slave / 100, h, dh_dT);
-      if (dh_dT) *dh_dT /= -100;
-    };
+    made.law = in_space(
+        [law = contact::InterfaceConductance({contact::PressureViscosityConductance{}},
+                                             contact::conductance_points(made.interface.points))](
+            double, const std::vector<core::InterfacePoint>&, const InterfaceTemperatures& at, Eigen::ArrayXd& h,
+            Eigen::ArrayXd* dh_dT) {
+          law(25 - at.slave / 100, h, dh_dT);
+          if (dh_dT) *dh_dT /= -100;
+        },
+        contact::conductance_points(made.interface.points));
     return made;
   }
 };
@@ -106,6 +108,28 @@ TEST(SolidBalance, what_a_body_stores_is_what_came_through_its_surfaces) {
   }
   EXPECT_GT(end.balance.bodies[0].to_air, 0);
   EXPECT_LT(end.balance.bodies[1].from_prescribed, 0);
+}
+
+TEST(SolidBalance, a_contact_that_opens_conducts_as_its_gap_at_the_time) {
+  Pressing pressing;
+  SolidProblem problem = pressing.problem();
+  for (auto& point : problem.interface.points) point.opening = 1e-5, point.closing_rate = 3;
+  const contact::GapConductance gap{2.5e-7, 4e-5, 0.25, 1, 0.9, 0};
+  const auto points = contact::conductance_points(problem.interface.points);
+  const contact::InterfaceConductance law({gap}, points);
+  problem.law = in_space(
+      [&](double time, const std::vector<core::InterfacePoint>& at, const InterfaceTemperatures& temperature,
+          Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) {
+        law.set_gap_conductance(time, at, temperature.slave, temperature.master, h, dh_dT);
+      },
+      points);
+  SolidStepMatrix matrix;
+  const StepOutcome end = advance(problem, 0, pressing.temperature, 1e-6, {}, matrix);
+  ASSERT_TRUE(end.converged) << end.reason;
+  double exact = 0;
+  for (const auto& point : problem.interface.points)
+    exact += point.area * point.contact_weight * gap.at_opening(1e-5, 1400.0, 700.0) * 700 * 1e-6;
+  EXPECT_NEAR(end.balance.pairs[0].heat, exact, 1e-2 * exact);
 }
 
 TEST(SolidBalance, contact_replaces_the_exchange_with_the_air) {

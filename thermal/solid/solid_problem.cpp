@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/solid/solid_problem.hpp"
 
+#include <utility>
+
 namespace parison::thermal {
 
 namespace {
@@ -46,6 +48,12 @@ Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core
     for_each_temperature(cells, temperature,
                          [&](Index point, double T) { mass[point] *= material.relative_density(T); });
   return mass;
+}
+
+SolidInterfaceLaw in_space(InterfaceLaw law, std::vector<core::InterfacePoint> points) {
+  return [law = std::move(law), points = std::move(points)](
+             double time, const std::vector<core::SolidInterfacePoint>&, const InterfaceTemperatures& temperature,
+             Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) { law(time, points, temperature, h, dh_dT); };
 }
 
 double heat_content(const SolidBodyView& body, const Eigen::VectorXd& temperature) {

@@ -49,6 +49,9 @@ using SolidInterfaceLaw =
     std::function<void(double time, const std::vector<core::SolidInterfacePoint>& points,
                        const InterfaceTemperatures& temperature, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
 
+/// A law of the plane for the points of an interface in space, whose pressures, laws and openings `points` has.
+SolidInterfaceLaw in_space(InterfaceLaw law, std::vector<core::InterfacePoint> points);
+
 /// Heat conduction in several bodies that touch. Where the interface is in contact, its conductance replaces the
 /// exchange of both sides with the air.
 struct SolidProblem {
