@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "contact/mortar/mortar.hpp"
@@ -32,7 +33,7 @@ struct SlaveFace {
         face(number),
         plane(*of.nodes, (*of.faces)[number]),
         projected(plane, *of.nodes, (*of.faces)[number]),
-        polygon(outline(projected, false)),
+        polygon(outline(projected)),
         polygon_area(area(polygon)) {}
   const core::QuadFace& quad() const { return (*surface.faces)[face]; }
 };
@@ -41,8 +42,8 @@ struct SlaveFace {
 struct Opposite {
   Index master, face;
   ProjectedFace projected;
-  Polygon polygon;  ///< by the corners
-  Polygon segment;  ///< what it has in common with the slave
+  std::vector<Polygon> pieces;
+  std::vector<Polygon> segments = {};  ///< what they have in common with the slave
 };
 
 /// A quadrature point of a slave face, in its plane.
@@ -53,23 +54,29 @@ struct PlanePoint {
   Vector3 position;
 };
 
-/// Calls visit(point) for the points of a polygon that the slave's map reaches.
+/// Calls visit(triangle) for the triangles of a polygon, but for slivers.
 template <typename Visit>
-void for_each_point(const SlaveFace& slave, const Polygon& polygon, int degree, const Visit& visit) {
+void for_each_triangle(const SlaveFace& slave, const Polygon& polygon, const Visit& visit) {
+  for (const Triangle& triangle : triangulate(polygon)) {
+    const double twice = core::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    if (std::abs(twice) >= least_segment * slave.polygon_area) visit(triangle);
+  }
+}
+
+/// Calls visit(point) for the points of a triangle that the slave's map reaches.
+template <typename Visit>
+void for_each_point(const SlaveFace& slave, const Triangle& triangle, int degree, const Visit& visit) {
+  const Point u = triangle[1] - triangle[0], v = triangle[2] - triangle[0];
+  const double twice = core::cross(u, v);
   std::array<double, 2> place{0.5, 0.5};
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-    const Point u = polygon[k] - polygon[0], v = polygon[k + 1] - polygon[0];
-    const double twice = core::cross(u, v);
-    if (std::abs(twice) < least_segment * slave.polygon_area) continue;
-    for (const auto& rule : core::triangle_rule(degree)) {
-      const Point at = polygon[0] + rule.a * u + rule.b * v;
-      const auto found = slave.projected.invert(at, place);
-      if (!found) continue;
-      place = *found;
-      const core::FacePlace on = core::face_place(*slave.surface.nodes, slave.quad(), place[0], place[1]);
-      const double stretch = on.area().norm() / on.area().dot(slave.plane.normal);
-      visit(PlanePoint{at, rule.weight * twice * stretch, place, on.position});
-    }
+  for (const auto& rule : core::triangle_rule(degree)) {
+    const Point at = triangle[0] + rule.a * u + rule.b * v;
+    const auto found = slave.projected.invert(at, place);
+    if (!found) continue;
+    place = *found;
+    const core::FacePlace on = core::face_place(*slave.surface.nodes, slave.quad(), place[0], place[1]);
+    const double stretch = on.area().norm() / on.area().dot(slave.plane.normal);
+    visit(PlanePoint{at, rule.weight * twice * stretch, place, on.position});
   }
 }
 
@@ -86,7 +93,9 @@ double exact_area(const SolidSurface& surface, const core::QuadFace& face) {
 double area_correction(const SlaveFace& slave, int degree) {
   if (slave.polygon.size() == 4) return 1;
   double sum = 0;
-  for_each_point(slave, slave.polygon, degree, [&](const PlanePoint& point) { sum += point.area; });
+  for_each_triangle(slave, slave.polygon, [&](const Triangle& triangle) {
+    for_each_point(slave, triangle, degree, [&](const PlanePoint& point) { sum += point.area; });
+  });
   return sum > 0 ? exact_area(slave.surface, slave.quad()) / sum : 1;
 }
 
@@ -118,10 +127,14 @@ std::vector<Opposite> opposites_of(const SlaveFace& slave, const Opponents& oppo
       const Index face = surface.touching[at];
       const core::QuadFace& quad = (*surface.faces)[face];
       if (FacePlane(*surface.nodes, quad).normal.dot(slave.plane.normal) > -least_opposition) continue;
-      Opposite opposite{static_cast<Index>(m), face, ProjectedFace(slave.plane, *surface.nodes, quad), {}, {}};
-      for (const int corner : {0, 6, 8, 2}) opposite.polygon.push_back(opposite.projected.node(corner));
-      opposite.segment = clip(slave.polygon, opposite.polygon);
-      if (opposite.segment.size() < 3 || area(opposite.segment) < least_segment * slave.polygon_area) continue;
+      const ProjectedFace projected(slave.plane, *surface.nodes, quad);
+      Opposite opposite{static_cast<Index>(m), face, projected, turned_pieces(projected)};
+      for (const Polygon& piece : opposite.pieces) {
+        Polygon segment = clip(slave.polygon, piece);
+        if (segment.size() > 2 && area(segment) >= least_segment * slave.polygon_area)
+          opposite.segments.push_back(std::move(segment));
+      }
+      if (opposite.segments.empty()) continue;
       found.push_back(std::move(opposite));
     }
   }
@@ -132,7 +145,9 @@ std::vector<Opposite> opposites_of(const SlaveFace& slave, const Opponents& oppo
 bool is_hidden(const SlaveFace& slave, const PlanePoint& point, const std::vector<SolidMaster>& masters,
                const std::vector<Opposite>& opposites, std::size_t own, double distance) {
   for (std::size_t k = 0; k < opposites.size(); ++k) {
-    if (k == own || !holds(opposites[k].polygon, point.at)) continue;
+    const auto& pieces = opposites[k].pieces;
+    const auto covers = [&](const Polygon& piece) { return holds(piece, point.at); };
+    if (k == own || std::none_of(pieces.begin(), pieces.end(), covers)) continue;
     const auto other = facing(slave, point, masters[opposites[k].master].surface, opposites[k]);
     if (!other) continue;
     const double nearer = std::abs(other->distance) - std::abs(distance);
@@ -141,35 +156,87 @@ bool is_hidden(const SlaveFace& slave, const PlanePoint& point, const std::vecto
   return false;
 }
 
+/// Makes the points between a slave face and one of its opposites.
+class SegmentPoints {
+ public:
+  SegmentPoints(const SlaveFace& slave, const std::vector<SolidMaster>& masters, const std::vector<Opposite>& opposites,
+                const SolidMortarOptions& options)
+      : slave_(slave), masters_(masters), opposites_(opposites), options_(options) {
+    double covered = 0;
+    for (const Opposite& opposite : opposites)
+      for (const Polygon& segment : opposite.segments) covered += area(segment);
+    overlap_ = covered > (1 + 1e-6) * slave.polygon_area;
+    correction_ = area_correction(slave, options.degree);
+  }
+
+  /// Appends those of one opposite in contact; false where it is out of reach.
+  bool add(std::size_t opposite, Index pair, std::vector<core::SolidInterfacePoint>& points) {
+    own_ = opposite;
+    pair_ = pair;
+    near_ = false;
+    for (const Polygon& segment : opposites_[opposite].segments)
+      for_each_triangle(slave_, segment, [&](const Triangle& triangle) { add_triangle(triangle, 0, points); });
+    return near_;
+  }
+
+ private:
+  static constexpr int most_splits = 2;
+  static constexpr double most_change = 0.2;  ///< of the contact weight within a triangle that is not split
+
+  /// Where the weight changes the triangle is split into four.
+  void add_triangle(const Triangle& triangle, int splits, std::vector<core::SolidInterfacePoint>& points) {
+    const std::size_t first = points.size();
+    double least = 1, most = 0;
+    for_each_point(slave_, triangle, splits == 0 ? options_.degree : 2, [&](const PlanePoint& at) {
+      const double weight = add_point(at, points);
+      least = std::min(least, weight);
+      most = std::max(most, weight);
+    });
+    if (splits == most_splits || most - least <= most_change) return;
+    points.resize(first);
+    const auto middle = [&](int i, int j) -> Point { return 0.5 * (triangle[i] + triangle[j]); };
+    const Point a = middle(0, 1), b = middle(1, 2), c = middle(2, 0);
+    for (const Triangle& part : {Triangle{triangle[0], a, c}, {a, triangle[1], b}, {c, b, triangle[2]}, {a, b, c}})
+      add_triangle(part, splits + 1, points);
+  }
+
+  /// Returns the contact weight.
+  double add_point(const PlanePoint& at, std::vector<core::SolidInterfacePoint>& points) {
+    const SolidMaster& master = masters_[opposites_[own_].master];
+    const auto on = facing(slave_, at, master.surface, opposites_[own_]);
+    if (!on || !(std::abs(on->distance) <= options_.reach)) return 0;
+    near_ = true;
+    const ContactState state = master.contact ? master.contact(slave_.face, at.place) : ContactState{on->distance, 0};
+    const double weight = contact_weight(state.gap, master.transition_gap);
+    if (!(weight > 0)) return 0;
+    if (overlap_ && is_hidden(slave_, at, masters_, opposites_, own_, on->distance)) return 0;
+    points.push_back({pair_, core::quad_shape(at.place[0], at.place[1]), core::quad_shape(on->place[0], on->place[1]),
+                      at.place, at.position, correction_ * at.area, state.gap, weight, state.pressure, master.law,
+                      state.opening, state.closing_rate});
+    return weight;
+  }
+
+  const SlaveFace& slave_;
+  const std::vector<SolidMaster>& masters_;
+  const std::vector<Opposite>& opposites_;
+  const SolidMortarOptions& options_;
+  double correction_ = 1;
+  bool overlap_ = false, near_ = false;
+  std::size_t own_ = 0;
+  Index pair_ = 0;
+};
+
 /// All pairs and points of one slave face.
 void add_slave_face(const SlaveFace& slave, const Opponents& opponents, const SolidMortarOptions& options,
                     core::SolidInterface& interface) {
   const std::vector<Opposite> opposites = opposites_of(slave, opponents, options.reach);
   if (opposites.empty()) return;
-  const double correction = area_correction(slave, options.degree);
-  double covered = 0;
-  for (const Opposite& opposite : opposites) covered += area(opposite.segment);
-  const bool overlap = covered > (1 + 1e-6) * slave.polygon_area;
+  SegmentPoints segment(slave, opponents.masters, opposites, options);
   for (std::size_t k = 0; k < opposites.size(); ++k) {
-    const Opposite& opposite = opposites[k];
-    const SolidMaster& master = opponents.masters[opposite.master];
     const auto pair = static_cast<Index>(interface.pairs.size());
-    bool near = false;
-    for_each_point(slave, opposite.segment, options.degree, [&](const PlanePoint& point) {
-      const auto on = facing(slave, point, master.surface, opposite);
-      if (!on || !(std::abs(on->distance) <= options.reach)) return;
-      near = true;
-      const ContactState state =
-          master.contact ? master.contact(slave.face, point.place) : ContactState{on->distance, 0};
-      const double weight = contact_weight(state.gap, master.transition_gap);
-      if (!(weight > 0)) return;
-      if (overlap && is_hidden(slave, point, opponents.masters, opposites, k, on->distance)) return;
-      interface.points.push_back({pair, core::quad_shape(point.place[0], point.place[1]),
-                                  core::quad_shape(on->place[0], on->place[1]), point.place, point.position,
-                                  correction * point.area, state.gap, weight, state.pressure, master.law, state.opening,
-                                  state.closing_rate});
-    });
-    if (near) interface.pairs.push_back({slave.surface.body, slave.face, master.surface.body, opposite.face});
+    if (!segment.add(k, pair, interface.points)) continue;
+    const SolidSurface& master = opponents.masters[opposites[k].master].surface;
+    interface.pairs.push_back({slave.surface.body, slave.face, master.body, opposites[k].face});
   }
 }
 

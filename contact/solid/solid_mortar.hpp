@@ -43,10 +43,11 @@ struct SolidMortarOptions {
 };
 
 /// Quadrature points of the virtual surface between a slave and all its masters, in space. Each pair of faces that
-/// look at each other is cut in the mean plane of the slave's face: the master's corners clip the slave's outline, the
+/// look at each other is cut in the mean plane of the slave's face: the master's outline clips the slave's, the
 /// segment is divided into triangles, and each point is taken to both faces along the plane's normal. So flat faces
 /// with straight edges exchange exactly what the meshes say, whichever is coarser. Where the slave's edges are bent its
-/// points together have the face's exact area. A place of the slave is paired with the nearest master only.
+/// points together have the face's exact area. Triangles in which the contact weight changes are split twice. A place
+/// of the slave is paired with the nearest master only.
 core::SolidInterface build_interface(const SolidSurface& slave, const std::vector<SolidMaster>& masters,
                                      const SolidMortarOptions& options = {});
 

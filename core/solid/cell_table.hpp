@@ -17,7 +17,7 @@ struct CellTable {
   Index nodes() const { return static_cast<Index>(shape.cols()); }
   Index points() const { return static_cast<Index>(shape.rows()); }
 };
-/// 27 nodes of HexMesh; 3 x 3 x 3 Gauss points.
+/// 27 nodes of HexMesh; 3 x 3 x 3 Gauss points, point a + 3 b + 9 c the one at (a, b, c) along the cube.
 const CellTable& hexahedron_table();
 /// 18 nodes of PrismMesh; the 6 points of triangle_rule(4) at 3 Gauss points.
 const CellTable& prism_table();

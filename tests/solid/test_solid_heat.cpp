@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
@@ -86,6 +87,17 @@ TEST(SolidHeat, a_rod_with_a_source_has_the_parabola_of_the_exact_solution_on_it
   off.at_most(2e-4);
   EXPECT_NEAR(end.balance.bodies[0].from_source, 1e9 * heating * mass.sum() / plain.density,
               1e-9 * end.balance.bodies[0].from_source);
+}
+
+TEST(SolidHeat, light_in_bands_is_conducted_as_rosseland_has_it) {
+  Material grey = plain;
+  grey.radiation = Radiation{1.5, 0, true, Radiation::Model::p1, {{std::numeric_limits<double>::infinity(), 150}}, {}};
+  Material same = plain;
+  same.radiation = Radiation{1.5, 150};
+  for (const double T : {600., 1100., 1500.}) {
+    EXPECT_EQ(conductivity(grey, T), 2.77);
+    EXPECT_NEAR(conductivity(conducting_light(grey), T, 0.5), conductivity(same, T, 0.5), 1e-6 * conductivity(same, T));
+  }
 }
 
 /// A cube that is cooled on all faces: an eighth of it, by the product of three series (H. S. Carslaw, J. C. Jaeger,

@@ -130,6 +130,39 @@ TEST(SolidMortar, pressure_and_gap_are_those_of_the_flow_and_weigh_the_contact) 
   EXPECT_GT(interface.pairs.size(), 12u);  // those that are only near as well
 }
 
+TEST(SolidMortar, a_contact_that_opens_within_cells_has_its_exact_area) {
+  const Pile pile(3, 2, 0.2);
+  const auto slave = contact::solid_surface(0, pile.glass.mesh.nodes, pile.glass.faces, {z_low});
+  tests::Figure off("area of a contact that opens within cells, in space: off by, share of the face");
+  constexpr double width = 1e-4, slope = 0.1;  // open over 1 mm, a third of a cell
+  for (const double end : {0.2, 0.37, 0.44, 0.5, 0.61, 0.75}) {
+    const auto state = [&](Index face, const std::array<double, 2>& place) {
+      const Vector3 x = core::face_place(pile.glass.mesh.nodes, pile.glass.faces[face], place[0], place[1]).position;
+      return contact::ContactState{slope * (x[0] - end * side), 0};
+    };
+    const auto interface = contact::build_interface(
+        slave, {{contact::solid_surface(1, pile.tool.nodes, pile.tool.faces, {top}), 0, width, state}});
+    // The weight's mean over the opening is a half.
+    off.add(std::abs(area_of(interface) / (side * side) - (end + 0.5 * width / slope / side)));
+  }
+  off.at_most(5e-3);
+}
+
+TEST(SolidMortar, a_tool_with_an_axis_is_met_everywhere) {
+  const Block glass = block(3, 3, 1, [](const Vector3& x) -> Vector3 { return side * x; });
+  const auto tool = core::sweep(rectangle(divide(0, 2 * side, 3), divide(-side, 0, 1)), 0, M_PI / 2, 4);
+  const auto interface =
+      contact::build_interface(contact::solid_surface(0, glass.mesh.nodes, glass.faces, {z_low}),
+                               {{contact::solid_surface(1, tool.nodes, tool.faces, {top}), 0, 1e-4}});
+  EXPECT_NEAR(area_of(interface), side * side, 1e-12);
+  for (const auto& point : interface.points) {
+    const core::FacePair& pair = interface.pairs[point.pair];
+    Vector3 there = Vector3::Zero();
+    for (int i = 0; i < 9; ++i) there += point.master_shape[i] * tool.nodes[tool.faces[pair.master_face].nodes[i]];
+    EXPECT_LT((there - point.position).norm(), 1e-12);
+  }
+}
+
 /// Heat per metre, W/m, and mean jump, K, of a wedge of glass in a wedge of mould.
 std::array<double, 2> cylinder_errors(int n) {
   const Material glass_material{2500, core::constant(1300), core::constant(1.3), {}};

@@ -135,10 +135,11 @@ void set_diagonal(SolidStepMatrix& matrix, const SolidSystem& system) {
 }  // namespace
 
 void prepare(SolidStepMatrix& matrix, const SolidSystem& system) {
-  matrix.factored_step = 0;
+  if (matrix.is_prescribed != system.is_prescribed) matrix.factored_step = 0;
   std::vector<Index> signature = signature_of(system);
   const bool same_mesh = signature == matrix.mesh_signature;
   if (same_mesh && has_all_pairs(matrix, system)) return;
+  matrix.factored_step = 0;
   matrix.mesh_signature = std::move(signature);
   make_pattern(matrix, system);
   analyse(matrix, same_mesh);
@@ -151,6 +152,7 @@ bool factorise(SolidStepMatrix& matrix, const SolidSystem& system, double time, 
   ++matrix.factorisations;
   const bool done = matrix.cholesky.factorise(matrix.assembly.matrix);
   matrix.factored_step = done ? step : 0;
+  matrix.is_prescribed = system.is_prescribed;
   return done;
 }
 

@@ -18,6 +18,8 @@ struct SolidStepMatrix {
   double factored_step = 0;  ///< s; 0: no factor
   Index analyses = 0, factorisations = 0;
 
+  std::vector<char> is_prescribed;  ///< by unknown, of the factored matrix
+
   // What the pattern was made for.
   double ordered_operations = 0;  ///< of a factorisation when the order of elimination was found
   std::vector<Index> mesh_signature;
@@ -25,7 +27,8 @@ struct SolidStepMatrix {
   std::vector<std::vector<std::array<int, 2>>> repeats;  ///< by clique: entries whose unknown comes twice
 };
 
-/// Makes the pattern fit a system; the factor of another system is dropped.
+/// Makes the pattern fit a system. The factor of a step before stays, where the pattern does: it serves while the
+/// stages converge with it.
 void prepare(SolidStepMatrix& matrix, const SolidSystem& system);
 /// Assembles and factorises at a time, s, and temperatures, K; false when the matrix is not positive definite.
 bool factorise(SolidStepMatrix& matrix, const SolidSystem& system, double time, const Eigen::VectorXd& temperature,

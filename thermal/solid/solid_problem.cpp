@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/solid/solid_problem.hpp"
 
+#include <utility>
+
 namespace parison::thermal {
 
 namespace {
@@ -28,6 +30,17 @@ SolidBodyView solid_body(const core::PrismMesh& mesh, const Eigen::VectorXd& mas
   return {&mesh.nodes, core::cell_list(mesh, core::prism_table()), &mesh.faces, &mass, &material, {}, {}};
 }
 
+Material conducting_light(Material material) {
+  if (!has_light(material)) return material;
+  Radiation& radiation = *material.radiation;
+  radiation.model = Radiation::Model::rosseland;
+  if (radiation.bands.empty()) return material;
+  radiation.relative = rosseland_absorption(radiation.bands);
+  radiation.absorption = radiation.relative.y.front();
+  for (double& value : radiation.relative.y) value /= radiation.absorption;
+  return material;
+}
+
 Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core::CellList& cells,
                              const Material& material, const Eigen::VectorXd& temperature) {
   Eigen::VectorXd mass = material.density * core::point_volumes(nodes, cells);
@@ -35,6 +48,12 @@ Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core
     for_each_temperature(cells, temperature,
                          [&](Index point, double T) { mass[point] *= material.relative_density(T); });
   return mass;
+}
+
+SolidInterfaceLaw in_space(InterfaceLaw law, std::vector<core::InterfacePoint> points) {
+  return [law = std::move(law), points = std::move(points)](
+             double time, const std::vector<core::SolidInterfacePoint>&, const InterfaceTemperatures& temperature,
+             Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) { law(time, points, temperature, h, dh_dT); };
 }
 
 double heat_content(const SolidBodyView& body, const Eigen::VectorXd& temperature) {

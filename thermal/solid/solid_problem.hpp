@@ -35,6 +35,10 @@ SolidBodyView solid_body(const core::HexMesh& mesh, const std::vector<core::Quad
                          const Eigen::VectorXd& mass, const Material& material);
 SolidBodyView solid_body(const core::PrismMesh& mesh, const Eigen::VectorXd& mass, const Material& material);
 
+/// A material whose light, where it has some in bands, is conducted (S. Rosseland 1924): until light in space is
+/// computed, with the mean absorption of the bands.
+Material conducting_light(Material material);
+
 /// Mass at the points of the cells, kg, where the nodes are now: volume times the material's density at the nodal
 /// temperature, K. To be kept with the mesh for as long as it moves.
 Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core::CellList& cells,
@@ -44,6 +48,9 @@ Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core
 using SolidInterfaceLaw =
     std::function<void(double time, const std::vector<core::SolidInterfacePoint>& points,
                        const InterfaceTemperatures& temperature, Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT)>;
+
+/// A law of the plane for the points of an interface in space, whose pressures, laws and openings `points` has.
+SolidInterfaceLaw in_space(InterfaceLaw law, std::vector<core::InterfacePoint> points);
 
 /// Heat conduction in several bodies that touch. Where the interface is in contact, its conductance replaces the
 /// exchange of both sides with the air.

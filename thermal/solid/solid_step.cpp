@@ -23,7 +23,9 @@ const double gamma = 2 - std::sqrt(2.0), d = gamma / 2, w = std::sqrt(2.0) / 4;
 const std::array<double, 3> weight{w, w, d};
 const std::array<double, 3> error_weight{w - (1 - w) / 3, w - (3 * w + 1) / 3, d - d / 3};
 
-constexpr double same_step = 1e-9;  ///< relative change of the substep up to which the factor is reused
+/// Factors of the substep between which the factor of another one, or of the step before, is tried.
+constexpr double least_ratio = 0.7, most_ratio = 1.5;
+constexpr int many_updates = 8;  ///< of a stage, after which the next one has a new factor
 constexpr std::size_t anderson_depth = 4;
 constexpr int max_updates = 25;
 constexpr double divergence = 1e3;  ///< growth of an update over the smallest one at which a stage is given up
@@ -85,10 +87,15 @@ StageValue iterate(Integration& run, const Stage& stage, VectorXd temperature) {
 StageValue solve(Integration& run, const Stage& stage, VectorXd guess) {
   impose_prescribed(run.system, stage.time, guess);
   const auto refactorise = [&] { return factorise(run.matrix, run.system, stage.time, guess, stage.step); };
-  const bool fresh = !(std::abs(run.matrix.factored_step / stage.step - 1) <= same_step);
+  const double ratio = run.matrix.factored_step / stage.step;
+  const bool fresh = !(ratio >= least_ratio && ratio <= most_ratio);
   if (fresh && !refactorise()) return {};
+  const Index before = run.solves;
   StageValue value = iterate(run, stage, guess);
-  if (!value.solved && !fresh && refactorise()) value = iterate(run, stage, guess);
+  if (!value.solved && !fresh && refactorise())
+    value = iterate(run, stage, guess);
+  else if (!fresh && run.solves - before > many_updates)
+    run.matrix.factored_step = 0;
   value.content = stage.target + stage.step * value.response.power;
   return value;
 }
