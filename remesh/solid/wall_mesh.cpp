@@ -71,13 +71,20 @@ std::vector<double> layer_ends(Index layers) {
   return ends;
 }
 
-/// A point of the unit square laid into a quarter disc of radius 1: near its corner a square, at its far sides the arc.
+/// A point of the unit square laid into a quarter disc of radius 1: more square than round, so that the corner of the
+/// square is one of its border too.
 std::array<double, 2> in_quarter_disc(double a, double b) {
   const double far = std::max(a, b);
   if (far == 0) return {0, 0};
   const double angle = a >= b ? M_PI_4 * b / a : M_PI_2 - M_PI_4 * a / b;
-  constexpr double square = 0.8;  // side of the square over the radius, at its corner
-  return {far * far * std::cos(angle) + (1 - far) * square * a, far * far * std::sin(angle) + (1 - far) * square * b};
+  constexpr double round = 0.3, side = 0.85;  // share of the arc; side of the square over the radius
+  return {round * far * std::cos(angle) + (1 - round) * side * a,
+          round * far * std::sin(angle) + (1 - round) * side * b};
+}
+
+/// The border of that disc at a share of the quarter turn.
+std::array<double, 2> border_of_disc(double share) {
+  return share < 0.5 ? in_quarter_disc(1, 2 * share) : in_quarter_disc(2 - 2 * share, 1);
 }
 
 /// Collects cells and joins their nodes where they share a place.
@@ -172,16 +179,32 @@ class WallBuilder {
   std::map<std::pair<long long, long long>, std::map<long long, Index>> columns_;
 };
 
-/// The cells around the axis from arc to arc: `rings` along the wall, `around` about the axis between two angles.
-void add_rings(WallBuilder& builder, double from, double to, Index rings, double first, double sector, Index around) {
-  for (Index i = 0; i < rings; ++i)
-    for (Index j = 0; j < around; ++j)
-      builder.add_stack(
-          [&](double u, double v) {
-            const double arc = from + (to - from) * (i + u) / rings, angle = first + sector * (j + v) / around;
-            return std::array{arc * std::cos(angle), arc * std::sin(angle)};
-          },
-          i + 1 == rings);
+/// Rings of cells about the axis: from `from` to `to` along the wall, m, over a sector that begins at an angle.
+struct Rings {
+  double from, to;
+  Index count;
+  double first_angle, sector;
+  Index around;
+  bool around_disc;  ///< the first begins at the border of a quarter disc, and they get round within its radius
+};
+void add_rings(WallBuilder& builder, const Rings& rings) {
+  const auto place = [&](double ring, double share) {
+    const double arc = rings.from + (rings.to - rings.from) * ring / rings.count;
+    const double angle = rings.first_angle + rings.sector * share;
+    std::array<double, 2> round{std::cos(angle), std::sin(angle)};
+    const double way = std::min(rings.from, rings.to - rings.from);
+    const double square = rings.around_disc ? std::max(0.0, 1 - (arc - rings.from) / way) : 0;
+    if (square > 0) {
+      const auto [x, y] = border_of_disc(share);
+      const double cosine = std::cos(rings.first_angle), sine = std::sin(rings.first_angle);
+      round = {(1 - square) * round[0] + square * (cosine * x - sine * y),
+               (1 - square) * round[1] + square * (sine * x + cosine * y)};
+    }
+    return std::array{arc * round[0], arc * round[1]};
+  };
+  for (Index i = 0; i < rings.count; ++i)
+    for (Index j = 0; j < rings.around; ++j)
+      builder.add_stack([&](double u, double v) { return place(i + u, (j + v) / rings.around); }, i + 1 == rings.count);
 }
 
 Index divisions(double length, double size) {
@@ -195,8 +218,8 @@ WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
   WallBuilder builder(wall, line, division);
   const double quarter = M_PI_2, size = division.size;
   if (division.sector < quarter - 1e-9) {
-    add_rings(builder, 0, line.length(), divisions(line.length(), size), 0, division.sector,
-              divisions(line.widest() * division.sector, size));
+    add_rings(builder, {0, line.length(), divisions(line.length(), size), 0, division.sector,
+                        divisions(line.widest() * division.sector, size), false});
     return builder.take();
   }
   // The square at the axis has half as many cells along a side as a quarter has around.
@@ -214,7 +237,7 @@ WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
               return std::array{disc * (cosine * x - sine * y), disc * (sine * x + cosine * y)};
             },
             false);
-    add_rings(builder, disc, line.length(), divisions(line.length() - disc, size), turn, quarter, 2 * side);
+    add_rings(builder, {disc, line.length(), divisions(line.length() - disc, size), turn, quarter, 2 * side, true});
   }
   return builder.take();
 }
