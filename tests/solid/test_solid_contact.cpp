@@ -214,7 +214,7 @@ TEST(SolidContact, ARoundParisonFillsASquareMould) {
   fmt::print("steps {} factors {} near {} of {} deepest {:.1f} um\n", steps, factors, near, points, 1e6 * deepest);
   EXPECT_GE(near, 0.97 * points);
   expect_at_most("steps of a blow into a square mould, 97 % of the glass at it", steps, 100);
-  expect_at_most("its factorisations a step", double(factors) / steps, 2.9);
+  expect_at_most("its factorisations a step", double(factors) / steps, 1.5);
   expect_at_most("volume of a cell meanwhile", volume, 1e-9);
   expect_at_most("all volume", std::abs(core::cell_volumes(glass.mesh).sum() / before - 1), 1e-9);
   expect_at_most("deepest glass in the mould", 1e6 * deepest, 300, "um");

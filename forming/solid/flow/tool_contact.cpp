@@ -23,6 +23,9 @@ constexpr double passed_share = 2e-2;
 /// What a step leaves of the depth, beyond that share, to which glass has passed into a tool.
 constexpr double kept_depth = 0.5;
 constexpr double bearable_tension = 2;  ///< share of the mean pressure of contact
+/// So few changes, as a share of the points that touch, wait for the next step: a factor each would give the same
+/// walls.
+constexpr double few_share = 0.05;
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
 constexpr double grip_drag = 1e9;    ///< Pa.s/m, as in two dimensions
@@ -156,14 +159,16 @@ Index ToolContact::choose() {
       area += point.area;
     }
   const double bearable = area > 0 ? bearable_tension * force / area : 0;
-  Index changed = 0;
-  for (Point& point : points_) {
-    if (point.tied) continue;
-    const double p = pressure(point);
-    const bool touches = point.touches ? p > -bearable : point.gap < -passed_share * point.size;
-    if (touches != point.touches) ++changed;
-    point.touches = touches;
+  Index changed = 0, touching = 0;
+  std::vector<bool> is_so(points_.size());
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const Point& point = points_[k];
+    is_so[k] = point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
+    changed += is_so[k] != point.touches;
+    touching += is_so[k];
   }
+  if (changed <= few_share * static_cast<double>(touching)) return 0;
+  for (std::size_t k = 0; k < points_.size(); ++k) points_[k].touches = is_so[k];
   return changed;
 }
 

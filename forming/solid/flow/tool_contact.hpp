@@ -21,7 +21,8 @@ class ToolContact {
 
   /// Looks at the end of the step with another velocity.
   void look(const Eigen::VectorXd& velocity);
-  /// Chooses anew which points touch, after `look`; the number that press or pull more than a little without it.
+  /// Chooses anew which points touch, after `look`; returns how many changed, 0 where they are so few that they wait
+  /// for the next step.
   Index choose();
   /// Adds to the matrix what was chosen since the last call.
   void add_changes(FlowMatrix& matrix);
