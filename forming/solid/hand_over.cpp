@@ -77,7 +77,7 @@ double solid_size(const Accuracy& accuracy) {
 }
 
 Index solid_layers(const Accuracy& accuracy) {
-  return std::max(Index{1}, static_cast<Index>(std::floor(accuracy.elements_across)));
+  return 1 + static_cast<Index>(std::floor(accuracy.elements_across));  // for the skins of both sides
 }
 
 std::vector<core::HexFace> faces_of(const SolidState& state, SolidSide side) {

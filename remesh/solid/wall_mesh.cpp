@@ -52,22 +52,14 @@ class MiddleLine {
   double widest_ = 0;
 };
 
-/// Where layers end, from the inner side, 0, to the outer one, 1.
+/// Where layers end, from the inner side, 0, to the outer one, 1: thinner towards both, as both are cold at times.
 std::vector<double> layer_ends(Index layers) {
-  // One side is cold in a mould: each layer is half of the one before; where there are enough of them both sides get
-  // thin ones, as a wall is that comes from a blank.
-  std::vector<double> thickness(static_cast<std::size_t>(layers));
-  constexpr double to_outer = 2, to_both = 1.5;
-  for (Index l = 0; l < layers; ++l) {
-    const bool both = layers > 3;
-    const double depth = both ? std::min(l, layers - 1 - l) : layers - 1 - l;
-    thickness[static_cast<std::size_t>(l)] = std::pow(both ? to_both : to_outer, depth);
-  }
+  constexpr double ratio = 1.7;  // of a layer to the one outside of it
   std::vector<double> ends{0};
-  double sum = 0;
-  for (const double t : thickness) sum += t;
-  for (const double t : thickness) ends.push_back(ends.back() + t / sum);
-  ends.back() = 1;
+  for (Index l = 0; l < layers; ++l)
+    ends.push_back(ends.back() + std::pow(ratio, std::min(l, layers - 1 - l)));
+  const double whole = ends.back();
+  for (double& end : ends) end /= whole;
   return ends;
 }
 
