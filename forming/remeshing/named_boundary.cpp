@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,19 +15,24 @@
 namespace parison::forming {
 namespace {
 
-/// The contact edge whose start (end 0) or end (end 1) is nearest to x.
+/// The contact edge whose start (end 0) or end (end 1) is nearest to x. For a place on the axis that is an end on the
+/// axis, also where the surface beside it is nearer.
 struct NearestEdge {
   std::size_t edge = 0;
   double distance = std::numeric_limits<double>::infinity();
 };
-NearestEdge nearest_edge(const core::Mesh& mesh, const std::vector<bool>& may_touch, const Point& x, int end) {
-  NearestEdge nearest;
+NearestEdge nearest_edge(core::Geometry geometry, const core::Mesh& mesh, const Point& x, int end) {
+  const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
+  const bool is_on_axis = geometry == core::Geometry::axisymmetric && x[0] == 0;
+  NearestEdge nearest, on_axis;
   for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e) {
     if (!may_touch[mesh.boundary_edges()[e].boundary_id]) continue;
-    const double d = (mesh.nodes[mesh.boundary_edges()[e].nodes[end]] - x).norm();
+    const Point& at = mesh.nodes[mesh.boundary_edges()[e].nodes[end]];
+    const double d = (at - x).norm();
     if (d < nearest.distance) nearest = {e, d};
+    if (is_on_axis && at[0] == 0 && d < on_axis.distance) on_axis = {e, d};
   }
-  return nearest;
+  return std::isfinite(on_axis.distance) ? on_axis : nearest;
 }
 
 /// By boundary edge whether it lies on a tool: its ends press on it or have no gap to it.
@@ -125,10 +131,10 @@ std::vector<std::size_t> edges_of(const Scene& scene, const State& state, const 
   return named.name != inner_side || touched.empty() ? touched : with_open_ends(scene, state, *named.touched, touched);
 }
 
-void name_between(const NamedBoundary& named, Index boundary_id, core::Mesh& mesh) {
+void name_between(core::Geometry geometry, const NamedBoundary& named, Index boundary_id, core::Mesh& mesh) {
   const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
-  const std::size_t last = nearest_edge(mesh, may_touch, named.to, 1).edge;
-  for (std::size_t e = nearest_edge(mesh, may_touch, named.from, 0).edge;; e = (e + 1) % mesh.boundary_edges().size()) {
+  const std::size_t last = nearest_edge(geometry, mesh, named.to, 1).edge;
+  for (std::size_t e = nearest_edge(geometry, mesh, named.from, 0).edge;; e = (e + 1) % mesh.boundary_edges().size()) {
     if (mesh.boundary_edges()[e].boundary_id != boundary_id && may_touch[mesh.boundary_edges()[e].boundary_id])
       mesh.edit().boundary_edges[e].boundary_id = boundary_id;
     if (e == last) break;
@@ -143,13 +149,12 @@ void name_boundary(const Scene& scene, const State& state, const NamedBoundary& 
     boundary_id = static_cast<Index>(mesh.boundaries().size());
     mesh.edit().boundaries.push_back(named.name);
   }
-  if (!named.touched) return name_between(named, boundary_id, mesh);
+  if (!named.touched) return name_between(scene.geometry, named, boundary_id, mesh);
   for (const std::size_t e : edges_of(scene, state, named)) mesh.edit().boundary_edges[e].boundary_id = boundary_id;
 }
 
 std::string misplaced_boundary(const Scene& scene, const State& state, Index stage) {
   const core::Mesh& mesh = state.glass.mesh;
-  const auto may_touch = core::boundaries_of_kind(mesh, BoundaryKind::contact);
   const double max_end_distance = core::tolerance::named_end * core::size(scene.glass.profile);
   for (const auto& named : scene.stages[stage].named_boundaries) {
     if (named.touched) {
@@ -159,7 +164,7 @@ std::string misplaced_boundary(const Scene& scene, const State& state, Index sta
     }
     for (const int end : {0, 1}) {
       const Point& x = end == 0 ? named.from : named.to;
-      const auto nearest = nearest_edge(mesh, may_touch, x, end);
+      const auto nearest = nearest_edge(scene.geometry, mesh, x, end);
       if (nearest.distance <= max_end_distance) continue;
       const Point& found = mesh.nodes[mesh.boundary_edges()[nearest.edge].nodes[end]];
       return fmt::format(

@@ -23,9 +23,8 @@ struct WallDivision {
   double sector;  ///< rad: a quarter, half or whole turn, or a smaller whole part of it
 };
 
-/// Turns the section of a wall about the axis. Quarters are closed at the axis by a square of cells (an O-grid),
-/// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards the outer side, four and
-/// more towards both:. Throws core::RunError where a cell is inverted.
+/// Turns the section of a wall about the axis. Quarters are closed at the axis by a square of cells (an O-grid), smaller
+/// sectors by cells whose side on the axis has no area. Layers get thinner towards both sides.
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division);
 
 }  // namespace parison::remesh

@@ -63,6 +63,15 @@ TEST(NamedBoundary, what_a_tool_touched_is_named_and_nothing_else) {
   EXPECT_NEAR(top, 0.01, 1e-12);
 }
 
+TEST(NamedBoundary, an_end_on_the_axis_is_on_the_axis_also_where_the_surface_beside_it_is_nearer) {
+  const std::string named = "name_boundary = [{ name = \"face\", from = \"(20, 10) mm\", to = \"(0, 12) mm\" }]\n";
+  const Scene scene = scene_of(replaced(two, two + named));
+  State state = initial_state(scene);
+  for (Point& x : state.glass.mesh.nodes)  // a dent of 2 mm in the middle of the upper face
+    if (x[1] > 0.01 - 1e-9 && x[0] < 5e-3) x[1] -= 2e-3 * (1 - x[0] / 5e-3);
+  EXPECT_GT(extent(start_stage(scene, state, 1).glass.mesh, "face").first, 0.02);
+}
+
 TEST(NamedBoundary, the_inner_side_goes_on_to_where_other_tools_seal_it) {
   // Air that is let in where the plunger was also reaches the rim, down the side, to the plate.
   const Scene pressed = scene_of(replaced("[[probe]]", third));
