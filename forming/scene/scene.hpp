@@ -114,7 +114,7 @@ struct Swab {
 struct Tool : Body {
   flow::Friction friction;
   core::SectionFamily section;  ///< of a tool that is not round, by heights in its own frame
-  double swabbing = 1;  ///< multiplies the conductance of its contact with the glass
+  double swabbing = 1;          ///< multiplies the conductance of its contact with the glass
   /// Whether it has its temperature at its first use, and keeps it until then: before that it serves another container.
   bool waits = false;
   std::optional<Swab> swab;  ///< in production

@@ -56,8 +56,7 @@ class MiddleLine {
 std::vector<double> layer_ends(Index layers) {
   constexpr double ratio = 1.7;  // of a layer to the one outside of it
   std::vector<double> ends{0};
-  for (Index l = 0; l < layers; ++l)
-    ends.push_back(ends.back() + std::pow(ratio, std::min(l, layers - 1 - l)));
+  for (Index l = 0; l < layers; ++l) ends.push_back(ends.back() + std::pow(ratio, std::min(l, layers - 1 - l)));
   const double whole = ends.back();
   for (double& end : ends) end /= whole;
   return ends;

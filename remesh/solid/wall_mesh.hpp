@@ -13,7 +13,7 @@ struct WallMesh {
   std::vector<WallCoordinates::Place> section;   ///< by node: where it comes from in the section
   std::vector<core::HexFace> inner, outer, rim;  ///< faces of the sides and of the rim
   std::vector<core::SymmetryPlane> planes;       ///< through the axis
-  std::vector<std::vector<Index>> columns;        ///< nodes through the wall, from the inner side to the outer one
+  std::vector<std::vector<Index>> columns;       ///< nodes through the wall, from the inner side to the outer one
 };
 
 /// How a wall is divided.
@@ -23,8 +23,8 @@ struct WallDivision {
   double sector;  ///< rad: a quarter, half or whole turn, or a smaller whole part of it
 };
 
-/// Turns the section of a wall about the axis. Quarters are closed at the axis by a square of cells (an O-grid), smaller
-/// sectors by cells whose side on the axis has no area. Layers get thinner towards both sides.
+/// Turns the section of a wall about the axis. Quarters are closed at the axis by a square of cells (an O-grid),
+/// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards both sides.
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division);
 
 }  // namespace parison::remesh

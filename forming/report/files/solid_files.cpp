@@ -9,6 +9,7 @@
 
 #include "core/io/json.hpp"
 #include "core/io/written_files.hpp"
+#include "forming/report/wall/solid_picture.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -30,7 +31,7 @@ std::vector<std::string> body_names(const Scene& scene, const SolidState& solid)
 /// Makes the folder, without the fields of an earlier run.
 std::string own_folder(const std::string& result, const std::vector<std::string>& bodies) {
   const std::string directory = result + folder_name;
-  core::claim_folder(directory, "run", {"history.csv", "wall.csv", "summary.json"});
+  core::claim_folder(directory, "run", {"history.csv", "wall.csv", "wall.svg", "summary.json"});
   for (const std::string& body : bodies)
     for (std::size_t output = 0;; ++output) {
       const std::string path = fmt::format("{}/{}_{:04}.vtu", directory, body, output);
@@ -133,6 +134,7 @@ void write_solid_summary(const Scene& scene, const std::string& result, const So
                          const SolidWall& wall) {
   const std::string directory = result + folder_name;
   core::replace_file(directory + "/wall.csv", solid_wall_csv(wall));
+  core::replace_file(directory + "/wall.svg", solid_picture(scene, solid, wall));
   core::JsonWriter json;
   json.add("case", scene.name);
   json.add("sector_deg", scene.solid->sector * 180 / M_PI);

@@ -10,7 +10,7 @@
 namespace parison::forming {
 
 /// The files of glass in space, in the folder `solid` of a result: fields of glass and tools for ParaView, history.csv,
-/// and at the end wall.csv and summary.json. They observe and never steer.
+/// and at the end wall.csv, wall.svg and summary.json. They observe and never steer.
 class SolidFiles {
  public:
   /// Removes what an earlier run of the same case left there.
@@ -33,7 +33,7 @@ class SolidFiles {
   double last_output_ = -1;  ///< s
 };
 
-/// Writes wall.csv and summary.json of a solid that has ended.
+/// Writes wall.csv, wall.svg and summary.json of a solid that has ended.
 void write_solid_summary(const Scene& scene, const std::string& result, const SolidState& solid, const SolidWall& wall);
 /// The wall of a container in space as lines for the terminal.
 std::string solid_table(const Scene& scene, const SolidState& solid, const SolidWall& wall);

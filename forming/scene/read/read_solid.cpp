@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/solid/section_surface.hpp"
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -99,6 +101,33 @@ void check_solid_stage(const Stage& stage, const CaseNode& node) {
     if (name != inner_side) refuse("a pressure on another side than \"inner\"");
 }
 
+/// Refuses a mould that is narrower than what forms the parison: by the outlines of both.
+void check_room(const Scene& scene, const StageTool& entry, const CaseNode& node) {
+  const Tool& mould = scene.tools[entry.tool];
+  if (mould.section.is_round() || !scene.container || !scene.container->parison) return;
+  const auto [low, high] = contact_range(mould);
+  const contact::SectionSurface surface(mould.profile, contact_boundaries(mould), mould.section, mould.position);
+  for (const StageTool& other : scene.stages[scene.container->parison->stage].tools) {
+    const Tool& blank = scene.tools[other.tool];
+    if (scene.container->parison->plunger == other.tool || other.tool == entry.tool) continue;
+    const auto contact = contact_boundaries(blank);
+    for (const core::Segment& segment : blank.profile.segments)
+      for (int i = 0; contact[segment.boundary_id] && i <= 16; ++i)
+        for (int quarter = 0; quarter <= 18; ++quarter) {
+          const core::Point at = core::point_at(segment, i / 16.0);
+          const double z = at[1] + blank.position, angle = M_PI_2 * quarter / 18;
+          constexpr double joint = 1e-3, bearable = 2e-4;  // m
+          if (z < low + mould.position + joint || z > high + mould.position - joint) continue;
+          const double gap = surface.gap({at[0] * std::cos(angle), at[0] * std::sin(angle), z}).distance;
+          if (gap < -bearable)
+            core::refuse(node,
+                         fmt::format("\"{}\" is {:.2f} mm wider than \"{}\" at z = {:.1f} mm, {:.0f} deg from the "
+                                     "plane y = 0, allowed is a mould with room for the parison",
+                                     blank.name, -1e3 * gap, mould.name, 1e3 * z, angle * 180 / M_PI));
+        }
+  }
+}
+
 }  // namespace
 
 core::SectionFamily read_sections(const CaseNode& node, core::Geometry geometry, const Tool& tool) {
@@ -154,12 +183,19 @@ void check_solid(const Scene& scene, const CaseTable& root) {
                                tool->name));
   for (std::size_t i = from; i < scene.stages.size(); ++i) {
     check_solid_stage(scene.stages[i], *stages[i]);
+    for (const StageTool& entry : scene.stages[i].tools) check_room(scene, entry, *stages[i]);
     const Tool* tool = tool_with_sections(scene, scene.stages[i]);
     if (tool && scene.solid->sector < M_PI_2 * 0.999)
       core::refuse(*stages[from], fmt::format("a sector of {:g} deg was found, allowed are 90, 180 and 360 deg: the "
                                               "sections of \"{}\" have two planes of symmetry",
                                               scene.solid->sector * 180 / M_PI, tool->name));
   }
+  if (scene.solid && scene.has_gap_law())
+    core::refuse(*stages[from], "a contact law with a gap was found, which is not computed in space yet");
+  for (const Tool& tool : scene.tools)
+    if (scene.solid && tool.friction.coulomb)
+      core::refuse(*stages[from],
+                   fmt::format("\"{}\" has a coulomb friction, which is not computed in space yet", tool.name));
   if (scene.solid && scene.glass.flow->shear_thinning)
     core::refuse(*stages[from], "glass that thins by shear was found, which is not computed in space yet");
 }
