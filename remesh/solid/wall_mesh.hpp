@@ -13,7 +13,7 @@ struct WallMesh {
   std::vector<WallCoordinates::Place> section;   ///< by node: where it comes from in the section
   std::vector<core::HexFace> inner, outer, rim;  ///< faces of the sides and of the rim
   std::vector<core::SymmetryPlane> planes;       ///< through the axis
-  std::vector<std::vector<Index>> columns;        ///< nodes through the wall, from the inner side to the outer one
+  std::vector<std::vector<Index>> columns;       ///< nodes through the wall, from the inner side to the outer one
 };
 
 /// How a wall is divided.
@@ -27,5 +27,8 @@ struct WallDivision {
 /// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards the outer side, four and
 /// more towards both:. Throws core::RunError where a cell is inverted.
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division);
+
+/// Where layers end, from the inner side, 0, to the outer one, 1: thinner towards both, as both are cold at times.
+std::vector<double> layer_ends(Index layers);
 
 }  // namespace parison::remesh
