@@ -9,6 +9,7 @@
 
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_step.hpp"
+#include "forming/solid/straighten.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
@@ -48,6 +49,7 @@ double clipped(const Scene& scene, const State& clock, double proposed) {
 bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   State& clock = run.outcome.state;
   constexpr double shorten = 0.4;
+  straighten(*run.scene.glass.flow, solid);
   double dt = clipped(run.scene, clock, solid.next_step);
   for (;;) {
     const SolidStepOutcome outcome = step_solid(run.scene, clock, dt, solid, workspace);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/process/run_error.hpp"
+#include "forming/solid/solid_heat.hpp"
 #include "forming/solid/swept_tool.hpp"
 #include "forming/state/initial_state.hpp"
 #include "remesh/solid/wall_mesh.hpp"
@@ -48,17 +49,6 @@ void add_side(const std::vector<core::HexFace>& faces, SolidSide side, SolidStat
   for (const core::HexFace& face : faces) {
     solid.faces.push_back(face);
     solid.heat_faces.push_back(core::quad_face(solid.glass.mesh, face, static_cast<Index>(side)));
-  }
-}
-
-/// Moves all temperatures alike until the heat is that of the sector of the round glass.
-void keep_heat(const thermal::SolidBodyView& body, double heat, Eigen::VectorXd& temperature) {
-  constexpr int steps = 4;
-  constexpr double apart = 1;  // K
-  for (int i = 0; i < steps; ++i) {
-    const double now = thermal::heat_content(body, temperature);
-    const double capacity = (thermal::heat_content(body, (temperature.array() + apart).matrix()) - now) / apart;
-    temperature.array() += (heat - now) / capacity;
   }
 }
 
@@ -114,7 +104,8 @@ SolidState hand_over(const Scene& scene, const State& state) {
   solid.glass.cell_mass *= mass / solid.glass.cell_mass.sum();
   const auto body = thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, solid.material);
   solid.totals.start_heat = solid.share * glass_heat(scene, state);
-  keep_heat(body, solid.totals.start_heat, solid.glass.temperature);
+  keep_heat(body, solid.totals.start_heat, Eigen::VectorXd::Ones(solid.glass.mesh.node_count()),
+            solid.glass.temperature);
   for (const Index tool : tools_in_space(scene)) solid.tools.push_back(swept_tool(scene, state, tool));
   return solid;
 }

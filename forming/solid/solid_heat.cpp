@@ -175,4 +175,15 @@ std::string advance_solid_heat(const Scene& scene, const State& clock, double dt
   return "";
 }
 
+void keep_heat(const thermal::SolidBodyView& body, double heat, const Eigen::VectorXd& shape,
+               Eigen::VectorXd& temperature) {
+  constexpr int steps = 4;
+  constexpr double apart = 1;  // K
+  for (int i = 0; i < steps; ++i) {
+    const double now = thermal::heat_content(body, temperature);
+    const double capacity = (thermal::heat_content(body, temperature + apart * shape) - now) / apart;
+    temperature += (heat - now) / capacity * shape;
+  }
+}
+
 }  // namespace parison::forming

@@ -12,4 +12,8 @@ namespace parison::forming {
 std::string advance_solid_heat(const Scene& scene, const State& clock, double dt, SolidState& solid,
                                thermal::SolidStepMatrix& matrix);
 
+/// Moves temperatures, K, by multiples of `shape`, by node, until a body has a content of heat, J.
+void keep_heat(const thermal::SolidBodyView& body, double heat, const Eigen::VectorXd& shape,
+               Eigen::VectorXd& temperature);
+
 }  // namespace parison::forming

@@ -52,16 +52,6 @@ class MiddleLine {
   double widest_ = 0;
 };
 
-/// Where layers end, from the inner side, 0, to the outer one, 1: thinner towards both, as both are cold at times.
-std::vector<double> layer_ends(Index layers) {
-  constexpr double ratio = 1.7;  // of a layer to the one outside of it
-  std::vector<double> ends{0};
-  for (Index l = 0; l < layers; ++l) ends.push_back(ends.back() + std::pow(ratio, std::min(l, layers - 1 - l)));
-  const double whole = ends.back();
-  for (double& end : ends) end /= whole;
-  return ends;
-}
-
 /// A point of the unit square laid into a quarter disc of radius 1: more square than round, so that the corner of the
 /// square is one of its border too.
 std::array<double, 2> in_quarter_disc(double a, double b) {
@@ -203,6 +193,15 @@ Index divisions(double length, double size) {
 }
 
 }  // namespace
+
+std::vector<double> layer_ends(Index layers) {
+  constexpr double ratio = 1.7;  // of a layer to the one outside of it
+  std::vector<double> ends{0};
+  for (Index l = 0; l < layers; ++l) ends.push_back(ends.back() + std::pow(ratio, std::min(l, layers - 1 - l)));
+  const double whole = ends.back();
+  for (double& end : ends) end /= whole;
+  return ends;
+}
 
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
   const MiddleLine line(wall);

@@ -27,4 +27,7 @@ struct WallDivision {
 /// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards both sides.
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division);
 
+/// Where layers end, from the inner side, 0, to the outer one, 1: thinner towards both, as both are cold at times.
+std::vector<double> layer_ends(Index layers);
+
 }  // namespace parison::remesh
