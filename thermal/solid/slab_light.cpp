@@ -2,7 +2,6 @@
 #include "thermal/solid/slab_light.hpp"
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 
 #include "core/mesh/element.hpp"
@@ -12,57 +11,30 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr int count = SlabLight::places, powers = 6;
+constexpr int count = SlabLayer::places, powers = SlabLayer::powers;
 
-/// Values at 0 to 1 of the parabolas through the places of a layer.
-std::array<double, count> parabolas(double x) {
-  const auto& rule = core::edge_rule(count);
-  std::array<double, count> value;
+using Parabolas = Eigen::Matrix<double, 1, count>;
+
+/// Values at x of the parabolas through the places.
+Parabolas parabolas(const std::array<double, count>& at, double x) {
+  Parabolas value;
   for (int i = 0; i < count; ++i) {
     value[i] = 1;
     for (int j = 0; j < count; ++j)
-      if (j != i) value[i] *= (x - rule[j].s) / (rule[i].s - rule[j].s);
+      if (j != i) value[i] *= (x - at[j]) / (at[i] - at[j]);
   }
   return value;
 }
 
-/// Coefficients by power of u of polynomials, of which `value(u)` gives all values.
-template <int polynomials, typename Value>
-Eigen::Matrix<double, polynomials, powers> coefficients(const Value& value) {
-  Eigen::Matrix<double, powers, powers> vandermonde;
-  Eigen::Matrix<double, powers, polynomials> values;
-  for (int p = 0; p < powers; ++p) {
-    const double u = p / (powers - 1.0);
-    for (int k = 0; k < powers; ++k) vandermonde(p, k) = std::pow(u, k);
-    values.row(p) = value(u);
-  }
-  return vandermonde.fullPivLu().solve(values).transpose();
-}
-
-/// What a layer of thickness 1 sends and absorbs along a direction, as polynomials of the distance u.
-struct LayerLaws {
-  Eigen::Matrix<double, count, powers> from_first;   ///< emission at u from the first side
-  Eigen::Matrix<double, count * count, powers> own;  ///< places whose distance is u, both ways
-};
-const LayerLaws& layer_laws() {
-  static const LayerLaws laws = [] {
-    const auto first = [](double u) {
-      const auto value = parabolas(u);
-      return Eigen::Matrix<double, 1, count>(value[0], value[1], value[2]);
-    };
-    const auto own = [](double u) {
-      Eigen::Matrix<double, 1, count* count> product = Eigen::Matrix<double, 1, count * count>::Zero();
-      for (const auto& at : core::edge_rule(count)) {
-        const auto near = parabolas((1 - u) * at.s), far = parabolas((1 - u) * at.s + u);
-        for (int i = 0; i < count; ++i)
-          for (int j = 0; j < count; ++j)
-            product[i * count + j] += (1 - u) * at.weight * (near[i] * far[j] + far[i] * near[j]);
-      }
-      return product;
-    };
-    return LayerLaws{coefficients<count>(first), coefficients<count * count>(own)};
+/// Takes the values of polynomials at even distances from 0 to 1 to their coefficients.
+const Eigen::Matrix<double, powers, powers>& coefficients() {
+  static const Eigen::Matrix<double, powers, powers> inverse = [] {
+    Eigen::Matrix<double, powers, powers> vandermonde;
+    for (int p = 0; p < powers; ++p)
+      for (int k = 0; k < powers; ++k) vandermonde(p, k) = std::pow(p / (powers - 1.0), k);
+    return Eigen::Matrix<double, powers, powers>(vandermonde.inverse());
   }();
-  return laws;
+  return inverse;
 }
 
 /// int u^k exp(-t u) du over 0 to 1, by k. The recursion is stable upwards for large t, downwards for small.
@@ -89,38 +61,60 @@ struct Beam {
 };
 
 /// Adds what layers send each other without any reflection.
-Beam add_direct(const std::vector<double>& depth, double weight, Eigen::MatrixXd& between) {
+Beam add_direct(const std::vector<SlabLayer>& slab, const std::vector<double>& depth, double weight,
+                Eigen::MatrixXd& between) {
   const auto layers = static_cast<int>(depth.size());
-  const LayerLaws& laws = layer_laws();
   Beam beam{Eigen::VectorXd(count * layers), Eigen::VectorXd(count * layers), 1};
-  std::vector<Eigen::Vector3d> from_first(depth.size());
+  std::vector<Eigen::Vector3d> from_first(depth.size()), from_last(depth.size());
   std::vector<double> passes(depth.size());
   Eigen::Vector3d sent;
   for (int c = 0; c < layers; ++c) {
     const double t = depth[c];
     const auto moment = moments(t);
     passes[c] = std::exp(-t);
-    from_first[c] = t * laws.from_first * moment;
-    const Eigen::Matrix<double, count * count, 1> own = weight * t * t * laws.own * moment;
+    from_first[c] = t * slab[c].first * moment;
+    from_last[c] = t * slab[c].last * moment;
+    const Eigen::Matrix<double, count * count, 1> own = weight * t * t * slab[c].own * moment;
     between.block<count, count>(count * c, count * c) += Eigen::Map<const Eigen::Matrix3d>(own.data());
     beam.first.segment<count>(count * c) = beam.through * from_first[c];
     beam.through *= passes[c];
     double passed = 1;
     for (int b = c - 1; b >= 0; --b) {
-      sent = weight * passed * from_first[b].reverse();
+      sent = weight * passed * from_last[b];
       between.block<count, count>(count * c, count * b).noalias() += from_first[c] * sent.transpose();
       passed *= passes[b];
     }
   }
   double passed = 1;
   for (int c = layers - 1; c >= 0; --c) {
-    beam.last.segment<count>(count * c) = passed * from_first[c].reverse();
+    beam.last.segment<count>(count * c) = passed * from_last[c];
     passed *= passes[c];
   }
   return beam;
 }
 
 }  // namespace
+
+SlabLayer::SlabLayer(double of_thickness, const std::array<double, places>& at) : thickness(of_thickness), weight{} {
+  Eigen::Matrix<double, powers, count> at_first, at_last;
+  Eigen::Matrix<double, powers, count* count> at_own = Eigen::Matrix<double, powers, count * count>::Zero();
+  for (int p = 0; p < powers; ++p) {
+    const double u = p / (powers - 1.0);
+    at_first.row(p) = parabolas(at, u);
+    at_last.row(p) = parabolas(at, 1 - u);
+    for (const auto& y : core::edge_rule(count)) {
+      const Parabolas near = parabolas(at, (1 - u) * y.s), far = parabolas(at, (1 - u) * y.s + u);
+      for (int i = 0; i < count; ++i) {
+        if (p == 0) weight[i] += y.weight * near[i];
+        for (int j = 0; j < count; ++j)
+          at_own(p, i * count + j) += (1 - u) * y.weight * (near[i] * far[j] + far[i] * near[j]);
+      }
+    }
+  }
+  first = (coefficients() * at_first).transpose();
+  last = (coefficients() * at_last).transpose();
+  own = (coefficients() * at_own).transpose();
+}
 
 SlabLight::SlabLight(double refractive_index) : square_(refractive_index * refractive_index) {
   // The intensity of e is e/(4 pi), so that a direction counts with 2 pi mu dmu/(4 pi). Outside of the cone of total
@@ -135,13 +129,13 @@ SlabLight::SlabLight(double refractive_index) : square_(refractive_index * refra
   }
 }
 
-SlabExchange SlabLight::exchange(const std::vector<double>& thickness, const std::vector<double>& absorption) const {
-  const auto size = static_cast<Eigen::Index>(places * thickness.size());
+SlabExchange SlabLight::exchange(const std::vector<SlabLayer>& layers, const std::vector<double>& absorption) const {
+  const auto size = static_cast<Eigen::Index>(count * layers.size());
   SlabExchange made{Eigen::MatrixXd::Zero(size, size), Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(size, 2)};
-  std::vector<double> depth(thickness.size());
+  std::vector<double> depth(layers.size());
   for (const Direction& along : directions_) {
-    for (std::size_t c = 0; c < depth.size(); ++c) depth[c] = thickness[c] * absorption[c] / along.cosine;
-    const Beam beam = add_direct(depth, along.weight, made.between);
+    for (std::size_t c = 0; c < depth.size(); ++c) depth[c] = layers[c].thickness * absorption[c] / along.cosine;
+    const Beam beam = add_direct(layers, depth, along.weight, made.between);
     const double r = along.reflected, back = r * beam.through, all = along.weight / (1 - back * back);
     const Eigen::VectorXd to_first = beam.first + back * beam.last, to_last = beam.last + back * beam.first;
     made.between.triangularView<Eigen::Lower>() +=

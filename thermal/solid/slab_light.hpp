@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 namespace parison::thermal {
@@ -15,16 +16,28 @@ struct SlabExchange {
   Eigen::Matrix2d sides = Eigen::Matrix2d::Zero();   ///< symmetric
 };
 
+/// A layer of a slab. Its emission is the parabola through the values at three places, whose integral gives each place
+/// the weight that the quadrature of the cell has there.
+class SlabLayer {
+ public:
+  static constexpr int places = 3, powers = 6;
+  /// Of a thickness, m; `at` are the places from 0 to 1.
+  SlabLayer(double thickness, const std::array<double, places>& at);
+
+  double thickness;                                    ///< m
+  std::array<double, places> weight;                   ///< of the places; their sum is 1
+  Eigen::Matrix<double, places, powers> first, last;   ///< emission by powers of the distance from either side
+  Eigen::Matrix<double, places * places, powers> own;  ///< of pairs of places by powers of their distance, both ways
+};
+
 /// The radiative transfer equation in a plane slab of layers between smooth surfaces, by directions: Gauss points of
-/// the cosine inside and outside of the cone of total reflection. In each layer the emission is the parabola through
-/// its values at three places, the Gauss points; its integrals are exact.
+/// the cosine inside and outside of the cone of total reflection. The integrals over layers are exact.
 class SlabLight {
  public:
-  static constexpr int places = 3;  ///< of a layer
   explicit SlabLight(double refractive_index);
 
-  /// Layers of a thickness, m, and an absorption, 1/m, each.
-  SlabExchange exchange(const std::vector<double>& thickness, const std::vector<double>& absorption) const;
+  /// Layers with an absorption, 1/m, each.
+  SlabExchange exchange(const std::vector<SlabLayer>& layers, const std::vector<double>& absorption) const;
 
  private:
   struct Direction {
