@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/process/run_error.hpp"
+#include "core/solid/cell_stacks.hpp"
 #include "forming/solid/solid_heat.hpp"
 #include "forming/solid/swept_tool.hpp"
 #include "forming/state/initial_state.hpp"
@@ -30,19 +31,6 @@ double widening(const Scene& scene, const State& state) {
           widest = std::max(widest, core::point_at(segment, 0)[0]);
     }
   return std::max(1.0, widest / glass);
-}
-
-/// The material of the glass with its light as conduction: Rosseland's of the bands, with the limit of thin walls.
-thermal::Material with_conducted_light(thermal::Material material) {
-  if (!thermal::has_light(material)) return material;
-  auto& radiation = *material.radiation;
-  const core::Table absorption = thermal::rosseland_absorption(radiation.bands);
-  radiation.model = thermal::Radiation::Model::rosseland;
-  radiation.absorption = absorption.y.front();
-  radiation.relative = absorption;
-  for (double& value : radiation.relative.y) value /= radiation.absorption;
-  radiation.bands.clear();
-  return material;
 }
 
 void add_side(const std::vector<core::HexFace>& faces, SolidSide side, SolidState& solid) {
@@ -86,7 +74,6 @@ SolidState hand_over(const Scene& scene, const State& state) {
                                                           solid_layers(scene.accuracy), scene.solid->sector});
   SolidState solid;
   solid.share = scene.solid->sector / (2 * M_PI);
-  solid.material = with_conducted_light(*scene.glass.thermal);
   solid.glass.mesh = std::move(wall.mesh);
   solid.glass.temperature.resize(solid.glass.mesh.node_count());
   for (Index n = 0; n < solid.glass.mesh.node_count(); ++n)
@@ -96,13 +83,15 @@ SolidState hand_over(const Scene& scene, const State& state) {
   add_side(wall.rim, SolidSide::rim, solid);
   solid.planes = std::move(wall.planes);
   solid.columns = std::move(wall.columns);
+  solid.stacks = core::cell_stacks(solid.glass.mesh);
   const auto cells = core::cell_list(solid.glass.mesh, core::hexahedron_table());
-  solid.point_mass = thermal::point_masses(solid.glass.mesh.nodes, cells, solid.material, solid.glass.temperature);
+  solid.point_mass =
+      thermal::point_masses(solid.glass.mesh.nodes, cells, *scene.glass.thermal, solid.glass.temperature);
   const double mass = solid.share * state.glass.mass;
   solid.point_mass *= mass / solid.point_mass.sum();
   solid.glass.cell_mass = flow::masses_by_volume(*scene.glass.flow, solid.glass.mesh, solid.glass.temperature);
   solid.glass.cell_mass *= mass / solid.glass.cell_mass.sum();
-  const auto body = thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, solid.material);
+  const auto body = thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, *scene.glass.thermal);
   solid.totals.start_heat = solid.share * glass_heat(scene, state);
   keep_heat(body, solid.totals.start_heat, Eigen::VectorXd::Ones(solid.glass.mesh.node_count()),
             solid.glass.temperature);

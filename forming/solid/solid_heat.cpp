@@ -19,10 +19,17 @@ namespace {
 
 using core::Vector3;
 
-/// Heat that crosses the surface of the glass in the air: by SolidSide.
-std::vector<std::optional<thermal::SurfaceExchange>> glass_exchange(const Scene& scene, const State& clock) {
-  const thermal::SurfaceExchange outside = air_at_glass(scene, clock, false), inside = air_at_glass(scene, clock, true);
-  return {inside, outside, outside};
+/// What the surface of the glass has around it, by SolidSide: the air and, of light in bands, black surroundings of its
+/// ambient temperature. With an enclosure the inner side sees itself.
+void surround_glass(const Scene& scene, const State& clock, thermal::SolidBodyView& glass) {
+  thermal::SurfaceExchange outside = air_at_glass(scene, clock, false), inside = air_at_glass(scene, clock, true);
+  if (scene.has_light()) {
+    outside.emissivity = inside.emissivity = 0;
+    glass.light = {{inside.ambient_temperature, outside.ambient_temperature, outside.ambient_temperature},
+                   scene.glass.emissivity};
+    if (scene.enclosure) glass.light.surroundings.front().reset();
+  }
+  glass.exchange = {inside, outside, outside};
 }
 
 /// Whether a tool is in its place in the present stage.
@@ -34,6 +41,7 @@ bool is_active(const Scene& scene, const State& clock, Index tool) {
 thermal::SolidBodyView tool_body(const Scene& scene, const State& clock, const SolidTool& tool) {
   const Body& data = scene.tools[tool.tool];
   auto body = thermal::solid_body(tool.mesh, tool.mass, *data.thermal);
+  body.light.emissivity = data.emissivity;
   if (is_waiting(scene, clock.stage, tool.tool)) return body;
   const core::Mesh& section = clock.tools[tool.tool].mesh;
   body.exchange = surroundings(scene, clock, body_of_tool(tool.tool), section);
@@ -134,6 +142,8 @@ void add_balance(const thermal::HeatBalance& balance, SolidState& solid) {
   const thermal::BodyBalance& glass = balance.bodies[glass_body];
   solid.totals.to_air += glass.to_air;
   solid.totals.to_tools += thermal::lost_through_interfaces(balance, glass_body);
+  solid.totals.light_to_air += glass.light_to_air;
+  for (const thermal::PairBalance& pair : balance.pairs) solid.totals.light_to_tools += pair.radiated;
   solid.totals.heat_imbalance += std::abs(thermal::imbalance(balance, glass_body));
   for (std::size_t t = 0; t < solid.tools.size(); ++t)
     solid.tools[t].heat_received -= thermal::lost_through_interfaces(balance, 1 + static_cast<Index>(t));
@@ -144,10 +154,12 @@ void add_balance(const thermal::HeatBalance& balance, SolidState& solid) {
 std::string advance_solid_heat(const Scene& scene, const State& clock, double dt, SolidState& solid,
                                thermal::SolidStepMatrix& matrix) {
   thermal::SolidProblem problem;
-  problem.bodies.push_back(thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, solid.material));
-  problem.bodies.front().exchange = glass_exchange(scene, clock);
+  problem.bodies.push_back(
+      thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, *scene.glass.thermal));
+  problem.bodies.front().stacks = &solid.stacks;
+  surround_glass(scene, clock, problem.bodies.front());
   const Eigen::VectorXd thickness = column_lengths(solid);
-  if (thermal::is_rosseland(solid.material)) problem.bodies.front().wall_thickness = &thickness;
+  if (thermal::is_rosseland(*scene.glass.thermal)) problem.bodies.front().wall_thickness = &thickness;
   std::vector<Eigen::VectorXd> temperature{solid.glass.temperature};
   for (const SolidTool& tool : solid.tools) {
     problem.bodies.push_back(tool_body(scene, clock, tool));

@@ -30,21 +30,22 @@ struct SolidTool {
 /// Sums since the glass became a solid, of its sector.
 struct SolidTotals {
   Index steps = 0, rejected = 0, factors = 0, solutions = 0;
-  double to_air = 0, to_tools = 0;  ///< J
-  double start_heat = 0;            ///< J
-  double volume_error = 0;          ///< largest of a cell in a step, as a share of it
-  double heat_imbalance = 0;        ///< sum of the heat that no balance explains, J
+  double to_air = 0, to_tools = 0;              ///< J
+  double light_to_air = 0, light_to_tools = 0;  ///< J: the parts of them that are light in bands
+  double start_heat = 0;                        ///< J
+  double volume_error = 0;                      ///< largest of a cell in a step, as a share of it
+  double heat_imbalance = 0;                    ///< sum of the heat that no balance explains, J
 };
 
 /// Glass and tools in space: a sector about the axis.
 struct SolidState {
   flow::SolidGlass glass;
-  thermal::Material material;              ///< of the glass: its light as conduction where it is in bands
   Eigen::VectorXd point_mass;              ///< of the glass by point of its cells, kg
   std::vector<core::HexFace> faces;        ///< the surface of the glass but for planes of symmetry
   std::vector<core::QuadFace> heat_faces;  ///< the same; boundary_id is a SolidSide
   std::vector<core::SymmetryPlane> planes;
   std::vector<std::vector<Index>> columns;  ///< nodes through the wall, from the inner side to the outer one
+  std::vector<std::vector<Index>> stacks;   ///< cells through the wall, in the same order
   Eigen::VectorXd temperature_rate;         ///< of the last step, K/s; empty: none
   std::vector<SolidTool> tools;
   double share = 1;                                       ///< of the whole turn

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
@@ -24,7 +23,7 @@ double linear(const Vector3& x) {
 /// Largest heat into a node that is not on the surface, over the largest on it, for a field linear in space.
 double patch_residual(const SolidBodyView& view, const std::set<Index>& surface) {
   const SolidProblem problem{{view}, {}, {}};
-  const SolidSystem system = make_solid_system(problem);
+  const SolidSystem system = make_solid_system(problem, {});
   EXPECT_EQ(why_not_solvable(system), "");
   const Eigen::VectorXd power = evaluate(system, 0, sample(*view.nodes, linear)).power;
   double inside = 0, outside = 0;
@@ -87,17 +86,6 @@ TEST(SolidHeat, a_rod_with_a_source_has_the_parabola_of_the_exact_solution_on_it
   off.at_most(2e-4);
   EXPECT_NEAR(end.balance.bodies[0].from_source, 1e9 * heating * mass.sum() / plain.density,
               1e-9 * end.balance.bodies[0].from_source);
-}
-
-TEST(SolidHeat, light_in_bands_is_conducted_as_rosseland_has_it) {
-  Material grey = plain;
-  grey.radiation = Radiation{1.5, 0, true, Radiation::Model::p1, {{std::numeric_limits<double>::infinity(), 150}}, {}};
-  Material same = plain;
-  same.radiation = Radiation{1.5, 150};
-  for (const double T : {600., 1100., 1500.}) {
-    EXPECT_EQ(conductivity(grey, T), 2.77);
-    EXPECT_NEAR(conductivity(conducting_light(grey), T, 0.5), conductivity(same, T, 0.5), 1e-6 * conductivity(same, T));
-  }
 }
 
 /// A cube that is cooled on all faces: an eighth of it, by the product of three series (H. S. Carslaw, J. C. Jaeger,

@@ -65,7 +65,7 @@ void add_cells(const SolidLaws& body, const Eigen::VectorXd& temperature, Respon
 }
 
 void for_each_cell_matrix(const SolidLaws& body, const Eigen::VectorXd& temperature, double step,
-                          const std::function<void(Index, CellMatrix&)>& add) {
+                          const Eigen::VectorXd& slopes, const std::function<void(Index, CellMatrix&)>& add) {
   const core::CellTable& table = *body.cells.table;
   const Index nodes = table.nodes(), points = table.points();
   MatrixXd local, at, weighted(4 * points, nodes);
@@ -76,6 +76,7 @@ void for_each_cell_matrix(const SolidLaws& body, const Eigen::VectorXd& temperat
     at.noalias() = table.shape * local;
     for (Index q = 0; q < points; ++q) {
       capacity[q] = (*body.mass)[c * points + q] * body.enthalpy(at(q, 0)).c;
+      if (slopes.size() > 0) capacity[q] += step * slopes[c * points + q];
       conductance[q] = step * conductivity_at(body, c * points + q, at(q, 0));
     }
     for (Index n = 0; n < nodes; ++n) {

@@ -101,8 +101,12 @@ void assemble(SolidStepMatrix& matrix, const SolidSystem& system, double time, c
   std::fill(matrix.assembly.matrix.value.begin(), matrix.assembly.matrix.value.end(), 0.0);
   Index first = 0;
   std::vector<Index> unknowns;
-  for (const SolidLaws& body : system.bodies) {
-    for_each_cell_matrix(body, temperature, step, [&](Index cell, CellMatrix& local) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const SolidLaws& body = system.bodies[b];
+    Eigen::VectorXd slopes;
+    for (const WallLight& light : system.lights)
+      if (light.body == static_cast<Index>(b)) slopes = light_slopes(light, system, temperature);
+    for_each_cell_matrix(body, temperature, step, slopes, [&](Index cell, CellMatrix& local) {
       const Index* nodes = body.cells.cell(cell);
       unknowns.assign(nodes, nodes + local.rows());
       for (Index& unknown : unknowns) unknown += body.first_unknown;

@@ -30,17 +30,6 @@ SolidBodyView solid_body(const core::PrismMesh& mesh, const Eigen::VectorXd& mas
   return {&mesh.nodes, core::cell_list(mesh, core::prism_table()), &mesh.faces, &mass, &material, {}, {}};
 }
 
-Material conducting_light(Material material) {
-  if (!has_light(material)) return material;
-  Radiation& radiation = *material.radiation;
-  radiation.model = Radiation::Model::rosseland;
-  if (radiation.bands.empty()) return material;
-  radiation.relative = rosseland_absorption(radiation.bands);
-  radiation.absorption = radiation.relative.y.front();
-  for (double& value : radiation.relative.y) value /= radiation.absorption;
-  return material;
-}
-
 Eigen::VectorXd point_masses(const std::vector<core::Vector3>& nodes, const core::CellList& cells,
                              const Material& material, const Eigen::VectorXd& temperature) {
   Eigen::VectorXd mass = material.density * core::point_volumes(nodes, cells);

@@ -25,19 +25,18 @@ struct SolidBodyView {
   std::vector<std::optional<SurfaceExchange>> exchange;       ///< by boundary_id of the faces; empty: none on any
   std::vector<std::optional<core::TimeFunction>> prescribed;  ///< temperature by boundary_id, K; empty: none
   const Eigen::VectorXd* wall_thickness = nullptr;            ///< by node, m; null: no thin-wall limit
-  /// Heat by point of the cells, W; null: none. Here enter dissipation and what light leaves at a point.
+  /// Heat by point of the cells, W; null: none. Here enters dissipation.
   const Eigen::VectorXd* source = nullptr;
   core::TimeFunction source_factor = 1;  ///< multiplies `source`
+  /// Of a body whose light is in bands: its cells as core::cell_stacks has them. Both ends of each have their faces.
+  const std::vector<std::vector<Index>>* stacks = nullptr;
+  SurfaceLight light = {};  ///< surroundings by boundary_id; one without sees itself: light that leaves comes back
 };
 
 /// A body of hexahedra (glass) with its faces, or of prisms (tool) with its own faces; no exchange yet.
 SolidBodyView solid_body(const core::HexMesh& mesh, const std::vector<core::QuadFace>& faces,
                          const Eigen::VectorXd& mass, const Material& material);
 SolidBodyView solid_body(const core::PrismMesh& mesh, const Eigen::VectorXd& mass, const Material& material);
-
-/// A material whose light, where it has some in bands, is conducted (S. Rosseland 1924): until light in space is
-/// computed, with the mean absorption of the bands.
-Material conducting_light(Material material);
 
 /// Mass at the points of the cells, kg, where the nodes are now: volume times the material's density at the nodal
 /// temperature, K. To be kept with the mesh for as long as it moves.
@@ -52,8 +51,8 @@ using SolidInterfaceLaw =
 /// A law of the plane for the points of an interface in space, whose pressures, laws and openings `points` has.
 SolidInterfaceLaw in_space(InterfaceLaw law, std::vector<core::InterfacePoint> points);
 
-/// Heat conduction in several bodies that touch. Where the interface is in contact, its conductance replaces the
-/// exchange of both sides with the air.
+/// Heat conduction in several bodies that touch, with the light in the wall of those that have it in bands. Where the
+/// interface is in contact, its conductance replaces the exchange of both sides with the air.
 struct SolidProblem {
   std::vector<SolidBodyView> bodies;
   core::SolidInterface interface;  ///< bodies of its pairs index `bodies`, faces their `faces`

@@ -234,7 +234,7 @@ void integrate(Integration& run, double time, StageValue& start, double dt, Step
 
 StepOutcome advance(const SolidProblem& problem, double time, const std::vector<VectorXd>& temperature, double dt,
                     const StepOptions& options, SolidStepMatrix& matrix) {
-  const SolidSystem system = make_solid_system(problem);
+  const SolidSystem system = make_solid_system(problem, temperature);
   StepOutcome outcome;
   outcome.reason = why_not_solvable(system);
   if (!outcome.reason.empty()) return outcome;

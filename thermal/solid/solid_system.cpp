@@ -71,8 +71,8 @@ void add_prescribed(SolidSystem& system, Index body) {
 
 }  // namespace
 
-SolidSystem make_solid_system(const SolidProblem& problem) {
-  SolidSystem system{&problem, {0}, {0}, {0}, {}, {}, {}, {}, {}, {}, {}, {}};
+SolidSystem make_solid_system(const SolidProblem& problem, const std::vector<Eigen::VectorXd>& temperature) {
+  SolidSystem system{&problem, {0}, {0}, {0}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for (const SolidBodyView& body : problem.bodies) {
     system.bodies.push_back(laws_of(body, system.first_unknown.back()));
     system.first_unknown.push_back(system.first_unknown.back() + static_cast<Index>(body.nodes->size()));
@@ -89,6 +89,9 @@ SolidSystem make_solid_system(const SolidProblem& problem) {
     add_faces(system, b);
   }
   add_contacts(system);
+  for (Index b = 0; b < count; ++b)
+    if (problem.bodies[b].stacks && has_light(*problem.bodies[b].material))
+      system.lights.push_back(make_wall_light(system, b, join(temperature)));
   return system;
 }
 
@@ -117,6 +120,7 @@ Response evaluate(const SolidSystem& system, double time, const Eigen::VectorXd&
     response.flows.from_source[b] = factor * system.body_source[b];
   }
   add_exchange(system, time, temperature, response);
+  for (const WallLight& light : system.lights) add_wall_light(light, system, time, temperature, response);
   return response;
 }
 

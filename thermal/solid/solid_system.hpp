@@ -7,6 +7,7 @@
 
 #include "thermal/heat_balance.hpp"
 #include "thermal/solid/solid_problem.hpp"
+#include "thermal/solid/wall_light.hpp"
 #include "thermal/system.hpp"
 
 namespace parison::thermal {
@@ -65,11 +66,13 @@ struct SolidSystem {
   std::vector<std::pair<Index, Index>> pairs;  ///< slave and master body of each pair of bodies
   std::vector<SolidPrescribed> prescribed;
   std::vector<char> is_prescribed;  ///< by unknown
+  std::vector<WallLight> lights;    ///< of the bodies that have it in bands
 
   Index size() const { return first_unknown.back(); }
 };
-/// Prepares the equations of a problem, which must outlive them.
-SolidSystem make_solid_system(const SolidProblem& problem);
+/// Prepares the equations of a problem, which must outlive them. The glass absorbs as at the given temperatures, by
+/// body, K.
+SolidSystem make_solid_system(const SolidProblem& problem, const std::vector<Eigen::VectorXd>& temperature);
 /// Why there are no equations to solve, a sentence; empty where there are.
 std::string why_not_solvable(const SolidSystem& system);
 

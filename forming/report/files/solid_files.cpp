@@ -84,6 +84,11 @@ core::VtuFields glass_fields_of(const State& clock, const SolidState& solid) {
   return fields;
 }
 
+/// What light meets at open surfaces in space.
+std::string surroundings_text(const Scene& scene) {
+  return scene.enclosure ? "inside themselves, outside the ambient temperature, no tool" : "the ambient temperature";
+}
+
 }  // namespace
 
 SolidFiles::SolidFiles(const Scene& scene, const std::string& result, const SolidState& solid)
@@ -158,6 +163,12 @@ void write_solid_summary(const Scene& scene, const std::string& result, const So
   json.add("largest_volume_error", solid.totals.volume_error);
   json.add("heat_to_tools_J", solid.totals.to_tools / solid.share);
   json.add("heat_to_air_J", solid.totals.to_air / solid.share);
+  if (scene.has_light()) {
+    json.add("light_model", "bands, plane slab through the wall");
+    json.add("open_surfaces_see", surroundings_text(scene));
+    json.add("light_to_tools_J", solid.totals.light_to_tools / solid.share);
+    json.add("light_to_air_J", solid.totals.light_to_air / solid.share);
+  }
   json.add("heat_imbalance", solid.totals.heat_imbalance / std::abs(solid.totals.start_heat));
   json.open_object("tools");
   for (const SolidTool& tool : solid.tools) {
@@ -189,9 +200,14 @@ std::string solid_table(const Scene& scene, const SolidState& solid, const Solid
                       celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()));
   text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat",
                       1e-3 * solid.totals.to_tools / solid.share, 1e-3 * solid.totals.to_air / solid.share);
-  if (scene.has_light())
-    text += fmt::format("  {:<22}conducted (Rosseland, thin walls); before it was by {}\n", "light in the glass",
+  if (scene.has_light()) {
+    text +=
+        fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "of it light",
+                    1e-3 * solid.totals.light_to_tools / solid.share, 1e-3 * solid.totals.light_to_air / solid.share);
+    text += fmt::format("  {:<22}in bands through the wall, none along it; before it was by {}\n", "light in the glass",
                         model_name(scene.glass.thermal->radiation));
+    text += fmt::format("  {:<22}{}\n", "open surfaces see", surroundings_text(scene));
+  }
   return text;
 }
 
