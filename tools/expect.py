@@ -84,6 +84,8 @@ def main():
     summary = json.loads((results / "summary.json").read_text())
     with open(results / "history.csv", newline="") as file:
         rows = list(csv.DictReader(file))
+    if (results / "solid/summary.json").exists():
+        summary["solid"] = json.loads((results / "solid/summary.json").read_text())
     failures = 0
     for label, found, (low, high) in judge(summary, rows, case if case.is_dir() else case.parent):
         good = found is not None and low <= found <= high

@@ -241,6 +241,13 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   return json.finish();
 }
 
+/// The wall of the parison is not that of a container that is formed in space.
+void leave_out_wall(const Scene& scene, Summary& summary) {
+  summary.thickness = summary.beside_finish = thickness_range({});
+  summary.no_wall = fmt::format("the glass is a body in space from stage \"{}\" on: see the folder solid",
+                                scene.stages[scene.solid->from_stage].name);
+}
+
 /// Leaves a file in a result folder that says so where its results are not trustworthy.
 void mark(const std::string& directory, const Checks& checks) {
   const std::string path = directory + "/NOT_TRUSTWORTHY.txt";
@@ -261,6 +268,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.thickness = thickness_range(profile.rows);
   summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
+  const bool in_space = scene.solid && state.stage >= scene.solid->from_stage;
+  if (in_space) leave_out_wall(scene, summary);
   summary.outer_within_02mm =
       remembers(state) ? std::numeric_limits<double>::quiet_NaN() : share_near_tools(scene, state, profile.outer_edges);
   const std::vector<Extreme>& hottest = run.diagnostics.extremes.tools;
@@ -284,7 +293,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   }
   summary.flags = raised_flags(scene, run.diagnostics.extremes, state.time, summary.thickness);
   if (const auto flag = mould_not_filled(run.filling); flag && run.completed) summary.flags.push_back(*flag);
-  summary.quantities = quantities(scene, state, summary, profile);
+  summary.quantities = quantities(scene, state, summary, in_space ? ThicknessProfile{} : profile);
   return summary;
 }
 

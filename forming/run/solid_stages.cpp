@@ -49,12 +49,14 @@ double clipped(const Scene& scene, const State& clock, double proposed) {
 bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   State& clock = run.outcome.state;
   constexpr double shorten = 0.4;
-  straighten(*run.scene.glass.flow, solid);
+  straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid);
   double dt = clipped(run.scene, clock, solid.next_step);
+  bool rejected = false;
   for (;;) {
     const SolidStepOutcome outcome = step_solid(run.scene, clock, dt, solid, workspace);
     if (outcome.accepted) break;
     ++solid.totals.rejected;
+    rejected = true;
     dt *= shorten;
     if (dt < run.scene.accuracy.min_step) {
       run.outcome.facts.reason =
@@ -68,7 +70,7 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
   for (const StageTool& tool : run.scene.stages[clock.stage].tools)
     clock.tools[tool.tool].offset = tool_offset(run.scene, clock, tool.tool, clock.stage_time);
   solid.last_step = dt;
-  solid.next_step = propose_solid_step(run.scene, clock, solid, dt);
+  solid.next_step = propose_solid_step(run.scene, clock, solid, std::max(dt, rejected ? dt : solid.next_step));
   return true;
 }
 

@@ -110,11 +110,12 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
   return outcome;
 }
 
-double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double last) {
-  if (last == 0 || solid.glass.velocity.size() == 0) return scene.accuracy.initial_step;
+double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double allowed) {
+  if (allowed == 0 || solid.glass.velocity.size() == 0) return scene.accuracy.initial_step;
   std::vector<std::size_t> places;
-  const flow::SolidProblem problem = flow_problem(scene, clock, solid, last, places);
+  const flow::SolidProblem problem = flow_problem(scene, clock, solid, allowed, places);
   flow::SolidStepLimits limits;
+  limits.growth *= std::max(1.0, allowed / solid.glass.last_step);
   limits.strain = 0.5 * scene.accuracy.strain_per_step;
   limits.longest = scene.accuracy.max_step;
   return flow::propose_step(problem, solid.glass, limits);

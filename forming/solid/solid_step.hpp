@@ -25,8 +25,8 @@ struct SolidStepOutcome {
 SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, SolidState& solid,
                             SolidWorkspace& workspace);
 
-/// The length, s, of the next step after one of `last`, s; 0 for the first of a stage.
-double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double last);
+/// The length, s, of the next step after one that might have had the length `allowed`, s; 0 for the first of a stage.
+double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double allowed);
 
 /// The place along the axis of a tool at a time since the present stage's start, m.
 double tool_offset(const Scene& scene, const State& clock, Index tool, double stage_time);

@@ -48,7 +48,8 @@ void share_mass(const MovedParts& parts, const Eigen::VectorXd& by_volume, Eigen
 
 }  // namespace
 
-bool straighten(const flow::Material& material, SolidState& solid, const StraightenLimits& limits) {
+bool straighten(const flow::Material& material, const thermal::Material& thermal, SolidState& solid,
+                const StraightenLimits& limits) {
   flow::SolidGlass& glass = solid.glass;
   const double least = remesh::least_jacobian(glass.mesh);
   if (least >= limits.bearable) return false;
@@ -66,17 +67,16 @@ bool straighten(const flow::Material& material, SolidState& solid, const Straigh
     if (field.size() > 0) field = remesh::values_at(glass.mesh, places, field, components);
   };
   const double heat = thermal::heat_content(
-      thermal::solid_body(glass.mesh, solid.heat_faces, solid.point_mass, solid.material), glass.temperature);
+      thermal::solid_body(glass.mesh, solid.heat_faces, solid.point_mass, thermal), glass.temperature);
   carry(glass.temperature, 1);
   carry(solid.temperature_rate, 1);
   carry(glass.velocity, 3);
   carry(glass.velocity_before, 3);
   glass.mesh = std::move(after);
   const auto cells = core::cell_list(glass.mesh, core::hexahedron_table());
-  share_mass(parts, thermal::point_masses(glass.mesh.nodes, cells, solid.material, glass.temperature),
-             solid.point_mass);
+  share_mass(parts, thermal::point_masses(glass.mesh.nodes, cells, thermal, glass.temperature), solid.point_mass);
   share_mass(parts, flow::masses_by_volume(material, glass.mesh, glass.temperature), glass.cell_mass);
-  keep_heat(thermal::solid_body(glass.mesh, solid.heat_faces, solid.point_mass, solid.material), heat, parts.node,
+  keep_heat(thermal::solid_body(glass.mesh, solid.heat_faces, solid.point_mass, thermal), heat, parts.node,
             glass.temperature);
   return true;
 }

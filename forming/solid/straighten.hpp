@@ -13,6 +13,7 @@ struct StraightenLimits {
 /// Where cells of the glass have got bad, sets nodes through the wall back between its sides and slides columns along
 /// them. Mass and heat stay exactly those of the whole; fields are taken where the nodes now are. Returns whether
 /// nodes moved.
-bool straighten(const flow::Material& material, SolidState& solid, const StraightenLimits& limits = {});
+bool straighten(const flow::Material& material, const thermal::Material& thermal, SolidState& solid,
+                const StraightenLimits& limits = {});
 
 }  // namespace parison::forming

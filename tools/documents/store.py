@@ -65,6 +65,7 @@ RUNS = {
     "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.7 s", "dimension.reheat=1.6 s", "dimension.run=0.5 s"])},
+    "square_jar": {"draft": ("draft", []), "sharp": ("draft", ["dimension.corner_radius=8 mm"])},
     "sag": {"draft": ("draft", []), "standard": ("standard", [])},
     "vial": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},
@@ -82,7 +83,7 @@ def own_runs(case):
 
 KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "timing", "volume_drift", "max_volume_drift",
         "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
-        "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities")
+        "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities", "solid")
 OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J", "skin_mean_degC")
 SKIN_ROWS = 120  # of the skin over time, at the most
 
@@ -161,10 +162,13 @@ def figures(case, results):
     summary = json.loads((results / "summary.json").read_text())
     with open(results / "history.csv", newline="") as file:
         rows = list(csv.DictReader(file))
+    if (results / "solid/summary.json").exists():
+        summary["solid"] = json.loads((results / "solid/summary.json").read_text())
     kept = {key: summary[key] for key in KEPT if key in summary}
     kept["stages"] = stage_ends(summary, rows)
     kept["expectations"] = {label: found for label, found, _ in expect.judge(summary, rows, ROOT / "cases" / case)}
-    kept["thickness_profile_mm"] = summary["thickness_profile_mm"]
+    if "thickness_profile_mm" in summary:
+        kept["thickness_profile_mm"] = summary["thickness_profile_mm"]
     return rounded(kept)
 
 

@@ -290,6 +290,20 @@ def tools(case, name):
     return table(["tool", "heat received, kJ", "hottest contact surface, degC"], rows)
 
 
+def in_space(case, *names):
+    """The container of runs in space."""
+    rows = []
+    for name in names:
+        run = store.run(case, name)
+        solid = run["solid"]
+        thinnest = solid["thinnest"]
+        rows.append([name, f"{solid['mean_thickness_mm']:.2f}", f"{thinnest['thickness_mm']:.2f}",
+                     f"({thinnest['x_mm']:.0f}, {thinnest['y_mm']:.0f}, {thinnest['z_mm']:.0f})", f"{solid['capacity_ml']:.1f}",
+                     f"{100 * solid['outer_side_in_contact']:.0f} %", str(solid["cells"]), str(solid["steps"]), digits(run["cpu_seconds"])])
+    return table(["run", "wall in the mean, mm", "thinnest, mm", "at (x, y, z), mm", "capacity, ml", "outer side in contact", "cells", "steps in space",
+                  "CPU, s, one thread"], rows)
+
+
 def cost(case, *names):
     """Steps, remeshes and CPU time, without names of all runs but those that compare models; shared machines scatter."""
     rows = []
@@ -460,4 +474,4 @@ def shell(case, *names):
 
 
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, press, laps, sagging, shell, bands)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, in_space, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, press, laps, sagging, shell, bands)}
