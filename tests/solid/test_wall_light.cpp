@@ -98,8 +98,6 @@ TEST(WallLight, isothermal_slabs_emit_what_the_exact_integral_says) {
       const StepOutcome end = advance(problem, 0, slab.temperature, dt, one_step(), matrix);
       ASSERT_TRUE(end.converged) << end.reason;
       const double black = 2 * side * side * dt * stefan_boltzmann * std::pow(1300, 4);
-      std::printf("%g %g %.5f %.5f\n", n, depth, end.balance.bodies[0].light_to_air / black,
-                  exact_emissivity(n, depth));
       off.add(100 * std::abs(end.balance.bodies[0].light_to_air / black / exact_emissivity(n, depth) - 1));
     }
   off.at_most(0.1);
@@ -140,13 +138,6 @@ TEST(WallLight, slabs_cool_as_discrete_ordinates_say) {
     const StepOutcome end = advance(problem, 0, slab.temperature, at.duration, {}, matrix);
     ASSERT_TRUE(end.converged) << end.reason;
     const double content = heat_content(problem.bodies[0], end.temperature[0]);
-    std::printf(
-        "%s mean %.2f (%.1f) low %.2f (%.0f) high %.2f (%.0f) rad %.1f (%.0f) subs %d fac %d sol %d\n", at.name,
-        content_reference + content / slab.mass.sum() / 1300 - celsius, at.mean, end.temperature[0][0] - celsius,
-        at.low, end.temperature[0][slab.glass.mesh.node_count() - 1] - celsius, at.high,
-        1e-3 * (end.balance.bodies[0].light_to_air + (end.balance.pairs.empty() ? 0 : end.balance.pairs[0].radiated)) /
-            (side * side),
-        at.radiated, (int)end.substeps, (int)end.factorisations, (int)end.solves);
     mean.add(std::abs(content_reference + content / slab.mass.sum() / 1300 - celsius - at.mean));
     skin.add(std::abs(end.temperature[0][0] - celsius - at.low));
     skin.add(std::abs(end.temperature[0][slab.glass.mesh.node_count() - 1] - celsius - at.high));
@@ -156,7 +147,7 @@ TEST(WallLight, slabs_cool_as_discrete_ordinates_say) {
   }
   mean.at_most(0.3);
   skin.at_most(1);
-  heat.at_most(1.5);
+  heat.at_most(1);
 }
 
 TEST(WallLight, what_the_glass_loses_is_what_air_and_tool_get) {

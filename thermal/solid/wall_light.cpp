@@ -84,21 +84,29 @@ double covered_area(const WallLight& light, const LightSide& side) {
   return covered;
 }
 
-/// The points of the interface lie unevenly: what covers a side twice goes to sides of the same face that are covered
-/// in part.
+/// The points of the interface lie unevenly: what covers a side more than once goes to the sides of the same face that
+/// are covered in part, to each by as much as it has.
 void even_out(WallLight& light, std::size_t first) {
-  double excess = 0, partly = 0;
-  for (std::size_t s = first; s < first + 9; ++s) {
-    const double covered = covered_area(light, light.sides[s]), more = covered - light.sides[s].area;
-    (more > 0 ? excess : partly) += more > 0 ? more : covered;
+  std::array<double, 9> covered;
+  std::array<char, 9> is_full{};
+  double all = 0, scale = 1;
+  for (int s = 0; s < 9; ++s) all += covered[s] = covered_area(light, light.sides[first + s]);
+  for (bool changed = all > 0; changed;) {
+    changed = false;
+    double left = all, partly = 0;
+    for (int s = 0; s < 9; ++s) (is_full[s] ? left : partly) += is_full[s] ? -light.sides[first + s].area : covered[s];
+    if (partly > 0) scale = left / partly;
+    for (int s = 0; s < 9; ++s)
+      if (!is_full[s] && scale * covered[s] > light.sides[first + s].area) {
+        is_full[s] = 1;
+        changed = true;
+      }
   }
-  for (std::size_t s = first; s < first + 9; ++s) {
-    LightSide& side = light.sides[s];
-    const double covered = covered_area(light, side);
-    if (covered == 0) continue;
-    const double scale = std::min(side.area / covered, covered > side.area ? 1 : 1 + excess / partly);
-    for (const Index t : side.contacts) light.contacts[t].area *= scale;
-    side.free = std::max(0.0, 1 - scale * covered / side.area);
+  for (int s = 0; s < 9; ++s) {
+    LightSide& side = light.sides[first + s];
+    const double share = std::min(1.0, scale * covered[s] / side.area);
+    side.free = is_full[s] ? 0 : 1 - share;
+    for (const Index t : side.contacts) light.contacts[t].area *= (is_full[s] ? 1 : share) * side.area / covered[s];
   }
 }
 
