@@ -20,7 +20,7 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   checks.push_back({"drawn_volume", plan.doubt, most_doubt, most_doubt, "%",
                     "the volumes of mould and press differ by so much from those within chords of the same outlines; "
                     "neither the plunger's stop nor the capacity from the drawings is to be trusted"});
-  if (!facts.completed || !plan.capacity) return;
+  if (!facts.completed || !plan.capacity || scene.solid) return;
   const auto formed = container_report(scene, state, true);
   if (!formed || !formed->capacity) return;
   constexpr double millilitre = 1e-6;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/checks/solid_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/solid/hex_geometry.hpp"
+#include "forming/report/wall/solid_wall.hpp"
+#include "forming/scene/container/container_plan.hpp"
+#include "forming/solid/solid_step.hpp"
+
+namespace parison::forming {
+
+void add_solid_checks(const Scene& scene, const State& clock, const SolidState& solid, bool completed, Checks& checks) {
+  constexpr double kept = 1e-6, lost = 1e-3;
+  checks.push_back({"solid_volume", solid.totals.volume_error, kept, lost, "",
+                    "a cell of the glass in space had another volume than its mass and temperature give it"});
+  checks.push_back({"solid_heat", solid.totals.heat_imbalance / std::abs(solid.totals.start_heat), kept, lost, "",
+                    "so much of the heat of the glass in space is explained by no surface"});
+  constexpr double bearable = 1e-4, severe = 1e-3;  // m
+  const SolidOverlap overlap = deepest_overlap(scene, clock, solid);
+  checks.push_back({"solid_penetration", overlap.depth, bearable, severe, "mm",
+                    fmt::format("the glass in space lies so deep in \"{}\" at ({:.1f}, {:.1f}, {:.1f}) mm; a smaller "
+                                "numerics.surface_size helps",
+                                overlap.tool < 0 ? "no tool" : scene.tools[overlap.tool].name, 1e3 * overlap.at[0],
+                                1e3 * overlap.at[1], 1e3 * overlap.at[2]),
+                    CheckKind::resolution});
+  if (!completed || !scene.container || !scene.container->capacity) return;
+  constexpr double millilitre = 1e-6;
+  const double volume = core::cell_volumes(solid.glass.mesh).sum() / solid.share;
+  const double drawn = *scene.container->capacity + scene.container->glass_volume - volume;
+  const double capacity = solid_wall(solid).capacity;
+  checks.push_back({"capacity", std::abs(capacity / drawn - 1), most_doubt, no_limit, "%",
+                    fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "
+                                "does not fill its mould, has sunk, or an outline is not the one that is meant",
+                                capacity / millilitre, drawn / millilitre)});
+}
+
+}  // namespace parison::forming
