@@ -20,6 +20,14 @@ const StageTool* active_entry(const Scene& scene, const State& clock, Index tool
   return nullptr;
 }
 
+/// Whether the present stage brings a tool to its place: those that stay have the glass where contact has put it.
+bool comes_into_place(const Scene& scene, const State& clock, Index tool) {
+  if (!active_entry(scene, clock, tool)) return false;
+  if (clock.stage == 0) return true;
+  const auto& before = scene.stages[clock.stage - 1].tools;
+  return std::none_of(before.begin(), before.end(), [&](const StageTool& entry) { return entry.tool == tool; });
+}
+
 /// The flow of the present stage over dt, s. Its tools are those of the solid in place; `places` says which.
 flow::SolidProblem flow_problem(const Scene& scene, const State& clock, const SolidState& solid, double dt,
                                 std::vector<std::size_t>& places) {
@@ -124,7 +132,7 @@ double propose_solid_step(const Scene& scene, const State& clock, const SolidSta
 SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid) {
   SolidOverlap deepest;
   for (const SolidTool& tool : solid.tools) {
-    if (!active_entry(scene, clock, tool.tool)) continue;
+    if (!comes_into_place(scene, clock, tool.tool)) continue;
     const Vector3 offset = clock.tools[tool.tool].offset * Vector3::UnitZ();
     for (const core::HexFace& face : solid.faces)
       for (const Index node : core::face_node_numbers(solid.glass.mesh, face)) {
