@@ -2,6 +2,7 @@
 #include "thermal/solid/slab_light.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "core/mesh/element.hpp"
@@ -116,37 +117,108 @@ SlabLayer::SlabLayer(double of_thickness, const std::array<double, places>& at) 
   own = (coefficients() * at_own).transpose();
 }
 
-SlabLight::SlabLight(double refractive_index) : square_(refractive_index * refractive_index) {
-  // The intensity of e is e/(4 pi), so that a direction counts with 2 pi mu dmu/(4 pi). Outside of the cone of total
-  // reflection mu = critical + (1 - critical) s^2 makes the reflectivity smooth.
-  const double critical = critical_cosine(refractive_index), rest = 1 - critical;
-  const auto& rule = core::edge_rule(5);
-  for (const auto& at : rule)
-    if (critical > 0) directions_.push_back({critical * at.s, 0.5 * critical * at.s * critical * at.weight, 1});
-  for (const auto& at : rule) {
-    const double mu = critical + rest * at.s * at.s;
-    directions_.push_back({mu, 0.5 * mu * 2 * rest * at.s * at.weight, fresnel_reflectivity(refractive_index, mu)});
+namespace {
+
+/// Rays with one product of area and squared sine.
+struct Ray {
+  double invariant, weight;  ///< m2
+  std::array<double, 2> reflected;
+};
+
+/// Rays between two of their invariants. Reflectivity and cosine go like a root at the upper one, which the square of s
+/// makes smooth.
+void add_rays(double from, double to, double n, const Eigen::Vector2d& area, std::vector<Ray>& rays) {
+  constexpr double narrow = 0.1;
+  if (!(to > from * (1 + 1e-12))) return;
+  for (const auto& at : core::edge_rule(to - from < narrow * area.maxCoeff() ? 2 : 5)) {
+    Ray ray{to - (to - from) * at.s * at.s, 0, {}};
+    // The intensity of e is e/(4 pi): a direction counts with the area times 2 pi mu dmu/(4 pi), a quarter of the
+    // change of the invariant.
+    ray.weight = 0.25 * (to - from) * 2 * at.s * at.weight;
+    for (int b = 0; b < 2; ++b)
+      ray.reflected[b] = ray.invariant < area[b] ? fresnel_reflectivity(n, std::sqrt(1 - ray.invariant / area[b])) : 1;
+    rays.push_back(ray);
   }
 }
 
-SlabExchange SlabLight::exchange(const std::vector<SlabLayer>& layers, const std::vector<double>& absorption) const {
+std::vector<Ray> rays_of(double n, const Eigen::Vector2d& area) {
+  const double small = area.minCoeff(), large = area.maxCoeff();
+  std::array<double, 5> ends{0, small / (n * n), large / (n * n), small, large};
+  std::sort(ends.begin(), ends.end());
+  std::vector<Ray> rays;
+  for (std::size_t i = 1; i < ends.size(); ++i) add_rays(ends[i - 1], ends[i], n, area, rays);
+  return rays;
+}
+
+/// Mean of 1/mu of a ray over a layer between two roots of areas; 0 where the ray does not come.
+double mean_slope(double r, double s, double invariant) {
+  const double mean = 0.5 * (r + s);
+  if (std::abs(s - r) < 1e-7 * mean) return invariant < r * s ? mean / std::sqrt(mean * mean - invariant) : 0;
+  const auto way = [&](double at) { return std::sqrt(std::max(0.0, at * at - invariant)); };
+  return (way(s) - way(r)) / (s - r);
+}
+
+/// By ray and layer: 1/mu, with which each layer emits in all directions together exactly what it does.
+Eigen::MatrixXd slopes_of(const std::vector<Ray>& rays, const std::vector<double>& radii) {
+  Eigen::MatrixXd slopes(rays.size(), radii.size() - 1);
+  for (Eigen::Index c = 0; c < slopes.cols(); ++c) {
+    double all = 0;
+    for (Eigen::Index k = 0; k < slopes.rows(); ++k) {
+      slopes(k, c) = mean_slope(radii[c], radii[c + 1], rays[k].invariant);
+      all += 2 * rays[k].weight * slopes(k, c);
+    }
+    slopes.col(c) *= mean_area(radii[c], radii[c + 1]) / all;
+  }
+  return slopes;
+}
+
+void add_ray(const Ray& ray, const Beam& beam, SlabExchange& made) {
+  const auto& [first, last] = ray.reflected;
+  const double all = ray.weight / (1 - first * last * beam.through * beam.through);
+  const Eigen::VectorXd to_first = beam.first + last * beam.through * beam.last,
+                        to_last = beam.last + first * beam.through * beam.first;
+  made.between.triangularView<Eigen::Lower>() +=
+      all * (first * beam.first * to_first.transpose() + last * beam.last * to_last.transpose());
+  made.through.col(0) += all * (1 - first) * to_first;
+  made.through.col(1) += all * (1 - last) * to_last;
+  made.sides(0, 1) += all * (1 - first) * (1 - last) * beam.through;
+}
+
+}  // namespace
+
+std::vector<double> shell_radii(const std::vector<double>& volume, const Eigen::Vector2d& area) {
+  const double first = std::pow(area[0], 1.5), last = std::pow(area[1], 1.5);
+  double all = 0, before = 0;
+  for (const double of_layer : volume) all += of_layer;
+  std::vector<double> radii{std::sqrt(area[0])};
+  for (const double of_layer : volume) {
+    before += of_layer;
+    radii.push_back(std::cbrt(first + before / all * (last - first)));
+  }
+  return radii;
+}
+
+SlabExchange SlabLight::exchange(const std::vector<SlabLayer>& layers, const std::vector<double>& absorption,
+                                 const Eigen::Vector2d& area) const {
   const auto size = static_cast<Eigen::Index>(count * layers.size());
   SlabExchange made{Eigen::MatrixXd::Zero(size, size), Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(size, 2)};
-  std::vector<double> depth(layers.size());
-  for (const Direction& along : directions_) {
-    for (std::size_t c = 0; c < depth.size(); ++c) depth[c] = layers[c].thickness * absorption[c] / along.cosine;
-    const Beam beam = add_direct(layers, depth, along.weight, made.between);
-    const double r = along.reflected, back = r * beam.through, all = along.weight / (1 - back * back);
-    const Eigen::VectorXd to_first = beam.first + back * beam.last, to_last = beam.last + back * beam.first;
-    made.between.triangularView<Eigen::Lower>() +=
-        all * r * (beam.first * to_first.transpose() + beam.last * to_last.transpose());
-    made.through.col(0) += all * (1 - r) * to_first;
-    made.through.col(1) += all * (1 - r) * to_last;
-    made.sides(0, 1) += all * (1 - r) * (1 - r) * beam.through;
+  double all = 0, at = 0;
+  for (const SlabLayer& layer : layers) all += layer.thickness;
+  std::vector<double> depth(layers.size()), radii{std::sqrt(area[0])};
+  for (const SlabLayer& layer : layers)
+    radii.push_back(radii.front() + (at += layer.thickness) / all * (std::sqrt(area[1]) - radii.front()));
+  const std::vector<Ray> rays = rays_of(index_, area);
+  const Eigen::MatrixXd slopes = slopes_of(rays, radii);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    for (std::size_t c = 0; c < depth.size(); ++c)
+      depth[c] =
+          layers[c].thickness * absorption[c] * slopes(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c));
+    add_ray(rays[k], add_direct(layers, depth, rays[k].weight, made.between), made);
   }
   made.between.triangularView<Eigen::StrictlyUpper>() = made.between.transpose();
   made.sides(1, 0) = made.sides(0, 1);
-  for (int b = 0; b < 2; ++b) made.sides(b, b) = 0.25 / square_ - made.through.col(b).sum() - made.sides(0, 1);
+  for (int b = 0; b < 2; ++b)
+    made.sides(b, b) = 0.25 * area[b] / (index_ * index_) - made.through.col(b).sum() - made.sides(0, 1);
   return made;
 }
 

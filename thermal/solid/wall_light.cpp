@@ -130,15 +130,13 @@ void add_touches(WallLight& light, const SolidSystem& system) {
   for (std::size_t first = 0; first < light.sides.size(); first += 9) even_out(light, first);
 }
 
-/// A slab with the areas of the sides and the volumes of the points of a line: by their roots, which keeps it
-/// symmetric. The diagonal gets what its row then misses in equilibrium.
+/// A wall with the volumes of the points of a line: by their roots, which keeps it symmetric. The diagonal gets what
+/// its row then misses in equilibrium.
 void fit(SlabExchange& slab, const VectorXd& emitting, const VectorXd& of_slab, const Eigen::Vector2d& area,
          double square) {
   const VectorXd scale = emitting.cwiseQuotient(of_slab).cwiseSqrt();
-  const Eigen::Vector2d root = area.cwiseSqrt();
   slab.between = scale.asDiagonal() * slab.between * scale.asDiagonal();
-  slab.through = scale.asDiagonal() * slab.through * root.asDiagonal();
-  slab.sides(0, 1) = slab.sides(1, 0) *= root[0] * root[1];
+  slab.through = scale.asDiagonal() * slab.through;
   for (Eigen::Index i = 0; i < emitting.size(); ++i)
     slab.between(i, i) += emitting[i] - slab.between.row(i).sum() - slab.through.row(i).sum();
   for (int b = 0; b < 2; ++b) slab.sides(b, b) = area[b] / (4 * square) - slab.through.col(b).sum() - slab.sides(0, 1);
@@ -163,25 +161,23 @@ std::array<double, 3> places_of(const std::array<core::Vector3, 3>& at) {
   return places;
 }
 
-/// The layers along a line, as thick as their volume over the area there, which goes evenly from side to side.
-std::vector<SlabLayer> layers_of(const LightLine& line, const VectorXd& volume, const Positions& positions,
-                                 const Eigen::Vector2d& area) {
+/// The layers along a line, as thick as their volume over their mean area.
+std::vector<SlabLayer> layers_of(const LightLine& line, const Positions& positions,
+                                 const std::vector<double>& layer_volume, const std::vector<double>& radii) {
   constexpr int places = SlabLayer::places;
-  double all = 0, before = 0;
-  for (const Index q : line.points) all += volume[q];
   std::vector<SlabLayer> layers;
-  for (std::size_t first = 0; first < line.points.size(); first += places) {
-    double of_layer = 0;
+  for (std::size_t c = 0; c < layer_volume.size(); ++c) {
     std::array<core::Vector3, places> at;
-    for (int i = 0; i < places; ++i) {
-      of_layer += volume[line.points[first + i]];
-      at[i] = positions.col(line.points[first + i]);
-    }
-    const double middle = (before + 0.5 * of_layer) / all;
-    layers.emplace_back(of_layer / ((1 - middle) * area[0] + middle * area[1]), places_of(at));
-    before += of_layer;
+    for (int i = 0; i < places; ++i) at[i] = positions.col(line.points[places * c + i]);
+    layers.emplace_back(layer_volume[c] / mean_area(radii[c], radii[c + 1]), places_of(at));
   }
   return layers;
+}
+
+std::vector<double> layer_volumes(const LightLine& line, const VectorXd& volume) {
+  std::vector<double> of_layer(line.points.size() / SlabLayer::places);
+  for (std::size_t i = 0; i < line.points.size(); ++i) of_layer[i / SlabLayer::places] += volume[line.points[i]];
+  return of_layer;
 }
 
 /// Absorption of each layer of a line in a band, 1/m: that at the mean of its temperatures.
@@ -200,7 +196,8 @@ void add_bands(LightLine& line, const SlabLight& slabs, const std::vector<Band>&
                const Positions& positions, const VectorXd& temperature, WallLight& light) {
   constexpr int places = SlabLayer::places;
   const Eigen::Vector2d area(light.sides[line.sides[0]].area, light.sides[line.sides[1]].area);
-  const std::vector<SlabLayer> layers = layers_of(line, volume, positions, area);
+  const std::vector<double> of_layer = layer_volumes(line, volume), radii = shell_radii(of_layer, area);
+  const std::vector<SlabLayer> layers = layers_of(line, positions, of_layer, radii);
   VectorXd emitting(line.points.size()), of_slab(line.points.size());
   for (std::size_t k = 0; k < bands.size(); ++k) {
     const std::vector<double> absorption = absorption_of(line, bands[k], temperature);
@@ -208,9 +205,9 @@ void add_bands(LightLine& line, const SlabLight& slabs, const std::vector<Band>&
       const double a = absorption[i / places];
       const auto at = static_cast<Index>(i);
       emitting[at] = light.emitting[k][line.points[i]] = a * volume[line.points[i]];
-      of_slab[at] = a * layers[i / places].thickness * layers[i / places].weight[i % places];
+      of_slab[at] = a * of_layer[i / places] * layers[i / places].weight[i % places];
     }
-    line.bands.push_back(slabs.exchange(layers, absorption));
+    line.bands.push_back(slabs.exchange(layers, absorption, area));
     fit(line.bands.back(), emitting, of_slab, area, light.square);
   }
 }
