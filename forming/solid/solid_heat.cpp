@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "contact/solid/solid_mortar.hpp"
+#include "core/mesh/element.hpp"
 #include "core/solid/hex_element.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surroundings.hpp"
@@ -19,15 +20,30 @@ namespace {
 
 using core::Vector3;
 
+/// Area of the mouth over that of the inner side: by reciprocity the share of the mouth in what the inner side sees.
+double mouth_share(const SolidState& solid) {
+  double mouth = 0, inner = 0;
+  for (const core::QuadFace& face : solid.heat_faces) {
+    if (face.boundary_id != static_cast<Index>(SolidSide::inner)) continue;
+    for (const auto& a : core::edge_rule(3))
+      for (const auto& b : core::edge_rule(3)) {
+        const Vector3 area = a.weight * b.weight * core::face_place(solid.glass.mesh.nodes, face, a.s, b.s).area();
+        mouth += area[2];
+        inner += area.norm();
+      }
+  }
+  return inner > 0 ? std::min(1.0, std::abs(mouth) / inner) : 0;
+}
+
 /// What the surface of the glass has around it, by SolidSide: the air and, of light in bands, black surroundings of its
-/// ambient temperature. With an enclosure the inner side sees itself.
-void surround_glass(const Scene& scene, const State& clock, thermal::SolidBodyView& glass) {
+/// ambient temperature. With an enclosure the inner side sees them through the mouth, and else itself.
+void surround_glass(const Scene& scene, const State& clock, const SolidState& solid, thermal::SolidBodyView& glass) {
   thermal::SurfaceExchange outside = air_at_glass(scene, clock, false), inside = air_at_glass(scene, clock, true);
   if (scene.has_light()) {
     outside.emissivity = inside.emissivity = 0;
     glass.light = {{inside.ambient_temperature, outside.ambient_temperature, outside.ambient_temperature},
                    scene.glass.emissivity};
-    if (scene.enclosure) glass.light.surroundings.front().reset();
+    if (scene.enclosure) glass.own_view = {1 - mouth_share(solid), 0, 0};
   }
   glass.exchange = {inside, outside, outside};
 }
@@ -157,7 +173,7 @@ std::string advance_solid_heat(const Scene& scene, const State& clock, double dt
   problem.bodies.push_back(
       thermal::solid_body(solid.glass.mesh, solid.heat_faces, solid.point_mass, *scene.glass.thermal));
   problem.bodies.front().stacks = &solid.stacks;
-  surround_glass(scene, clock, problem.bodies.front());
+  surround_glass(scene, clock, solid, problem.bodies.front());
   const Eigen::VectorXd thickness = column_lengths(solid);
   if (thermal::is_rosseland(*scene.glass.thermal)) problem.bodies.front().wall_thickness = &thickness;
   std::vector<Eigen::VectorXd> temperature{solid.glass.temperature};

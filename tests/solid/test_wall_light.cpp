@@ -103,6 +103,34 @@ TEST(WallLight, isothermal_slabs_emit_what_the_exact_integral_says) {
   off.at_most(0.1);
 }
 
+/// A ball of layers, its inner side a thousandth as wide as the outer.
+double emissivity_of_ball(double n, double depth, int layers) {
+  constexpr double radius = 0.005, inner = 1e-3 * radius;
+  const auto& rule = core::edge_rule(3);
+  std::vector<SlabLayer> shells;
+  for (int c = 0; c < layers; ++c)
+    shells.emplace_back((radius - inner) / layers, std::array<double, 3>{rule[0].s, rule[1].s, rule[2].s});
+  const Eigen::Vector2d area = 4 * M_PI * Eigen::Vector2d(inner * inner, radius * radius);
+  const std::vector<double> absorption(shells.size(), depth / (2 * radius));
+  return SlabLight(n).exchange(shells, absorption, area).through.col(1).sum() * 4 * n * n / area[1];
+}
+
+TEST(WallLight, balls_emit_what_the_exact_integrals_say) {
+  tests::Figure off("emission of isothermal balls by layers, n = 1: off by", "%"),
+      clear("share of clear balls' light that total reflection lets out, n = 1.518: off by", "%");
+  for (const int layers : {3, 6}) {
+    for (const double d : {0.1, 1.0, 5.0}) {
+      const double exact = 1 - 2 / (d * d) * (1 - (1 + d) * std::exp(-d));
+      off.add(100 * std::abs(emissivity_of_ball(1, d, layers) / exact - 1));
+    }
+    constexpr double n = 1.518, thin = 1e-3;
+    const double all = n * n * 4 * thin / 6, leaves = 1 - std::pow(critical_cosine(n), 3);
+    clear.add(100 * std::abs(emissivity_of_ball(n, thin, layers) / all / leaves - 1));
+  }
+  off.at_most(1);
+  clear.at_most(2);
+}
+
 /// A slab's history by discrete ordinates, as in tests/verification/test_light_slabs.cpp: degC and kJ/m2.
 struct History {
   const char* name;
@@ -194,6 +222,12 @@ TEST(WallLight, a_side_that_sees_itself_keeps_its_light) {
   // What is sent back goes through the wall and leaves on the other side, where the slab is as thick as twice its wall.
   const double one = advance(problem, 0, slab.temperature, 1e-4, {}, matrix).balance.bodies[0].light_to_air;
   EXPECT_GT(one, 0.5 * both);
+  problem.bodies[0].light.surroundings[z_low] = core::TimeFunction(300);
+  problem.bodies[0].own_view = {0, 0, 0, 0, 0.5, 0};
+  const double half = advance(problem, 0, slab.temperature, 1e-4, {}, matrix).balance.bodies[0].light_to_air;
+  EXPECT_GT(half, one);
+  EXPECT_LT(half, both);
+  problem.bodies[0].light.surroundings[z_low].reset();
   EXPECT_LT(one, both);
   problem.bodies[0].light.surroundings[z_high].reset();
   EXPECT_LT(std::abs(advance(problem, 0, slab.temperature, 1e-4, {}, matrix).balance.bodies[0].to_air), 1e-12 * both);

@@ -30,6 +30,7 @@ struct SolidBodyView {
   core::TimeFunction source_factor = 1;  ///< multiplies `source`
   /// Of a body whose light is in bands: its cells as core::cell_stacks has them. Both ends of each have their faces.
   const std::vector<std::vector<Index>>* stacks = nullptr;
+  std::vector<double> own_view = {};  ///< by boundary_id: share of what it sees that is itself; empty: none on any
   SurfaceLight light = {};  ///< surroundings by boundary_id; one without sees itself: light that leaves comes back
 };
 

@@ -68,6 +68,7 @@ void add_sides(WallLight& light, const SolidSystem& system) {
       side.point = q;
       side.boundary = system.first_boundary[light.body] + face.boundary_id;
       side.surrounded_by = sees ? face.boundary_id : -1;
+      side.own_view = !sees ? 1 : id < view.own_view.size() ? view.own_view[id] : 0;
       side.area = a.weight * b.weight * core::face_place(*view.nodes, face, a.s, b.s).area().norm();
     }
 }
@@ -248,6 +249,11 @@ Outside outside_of(const WallLight& light, double time, const ArrayXd& tool_temp
   return outside;
 }
 
+/// What of a side sees the surroundings, m2.
+double open_area(const LightSide& side) {
+  return side.free * (1 - side.own_view) * side.area;
+}
+
 /// The light that comes to a side from outside, J = given + returned H, of what arrives there, H.
 struct Radiosity {
   double given = 0, returned = 0;
@@ -260,10 +266,8 @@ Radiosity radiosity(const WallLight& light, const LightSide& side, const Outside
     J.given += share * touch.emissivity * outside.tool[t];
     J.returned += share * (1 - touch.emissivity);
   }
-  if (side.surrounded_by < 0)
-    J.returned += side.free;
-  else
-    J.given += side.free * outside.surroundings[side.surrounded_by];
+  J.returned += side.free * side.own_view;
+  if (side.surrounded_by >= 0) J.given += open_area(side) / side.area * outside.surroundings[side.surrounded_by];
   return J;
 }
 
@@ -308,7 +312,7 @@ void add_line(const WallLight& light, const LightLine& line, std::size_t band, c
   for (int b = 0; b < 2; ++b) {
     const LightSide& side = light.sides[line.sides[b]];
     if (side.surrounded_by >= 0)
-      book_air(light, side, side.free * side.area * (H[b] - outside.surroundings[side.surrounded_by]), gains, response);
+      book_air(light, side, open_area(side) * (H[b] - outside.surroundings[side.surrounded_by]), gains, response);
     for (const Index t : side.contacts)
       gains.touches[t] += light.contacts[t].emissivity * light.contacts[t].area * (H[b] - outside.tool[t]);
   }
@@ -322,7 +326,7 @@ void add_opaque(const WallLight& light, const Outside& outside, const VectorXd& 
     const double own = light.laws.opaque_emission(interpolated(temperature, side.unknowns.data(), shape)).value;
     double lost = 0;
     if (side.surrounded_by >= 0) {
-      lost = light.emissivity * side.free * side.area * (own - outside.surroundings[side.surrounded_by]);
+      lost = light.emissivity * open_area(side) * (own - outside.surroundings[side.surrounded_by]);
       book_air(light, side, lost, gains, response);
     }
     for (const Index t : side.contacts) {

@@ -19,6 +19,7 @@ struct LightSide {
   int point;                    ///< of face_shapes
   Index boundary;               ///< counted through all bodies
   Index surrounded_by;          ///< index into WallLight::surroundings; -1: sees itself
+  double own_view;              ///< share of what the rest of it sees that is itself
   double area;                  ///< m2
   double free = 1;              ///< share of the area that no tool covers
   std::vector<Index> contacts;  ///< indices into WallLight::contacts

@@ -86,7 +86,8 @@ core::VtuFields glass_fields_of(const State& clock, const SolidState& solid) {
 
 /// What light meets at open surfaces in space.
 std::string surroundings_text(const Scene& scene) {
-  return scene.enclosure ? "inside themselves, outside the ambient temperature, no tool" : "the ambient temperature";
+  return scene.enclosure ? "inside themselves and through the mouth the ambient temperature, outside it alone"
+                         : "the ambient temperature";
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ void write_solid_summary(const Scene& scene, const std::string& result, const So
   json.add("heat_to_tools_J", solid.totals.to_tools / solid.share);
   json.add("heat_to_air_J", solid.totals.to_air / solid.share);
   if (scene.has_light()) {
-    json.add("light_model", "bands, plane slab through the wall");
+    json.add("light_model", "bands through the wall");
     json.add("open_surfaces_see", surroundings_text(scene));
     json.add("light_to_tools_J", solid.totals.light_to_tools / solid.share);
     json.add("light_to_air_J", solid.totals.light_to_air / solid.share);
