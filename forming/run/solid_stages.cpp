@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_step.hpp"
@@ -30,8 +31,7 @@ std::string cannot_begin(const Scene& scene, const State& clock, const SolidStat
   if (overlap.depth <= bearable) return "";
   return fmt::format(
       "the glass does not fit into \"{}\": it is {:.2f} mm too wide at z = {:.1f} mm, {:.0f} deg from the plane y = 0; "
-      "a "
-      "narrower blank, a wider mould there, or less time in which the parison sags",
+      "a narrower blank, a wider mould there, or less time in which the parison sags",
       scene.tools[overlap.tool].name, 1e3 * overlap.depth, 1e3 * overlap.at[2],
       std::atan2(overlap.at[1], overlap.at[0]) * 180 / M_PI);
 }
@@ -56,7 +56,9 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
     const SolidStepOutcome outcome = step_solid(run.scene, clock, dt, solid, workspace);
     if (outcome.accepted) break;
     ++solid.totals.rejected;
-    rejected = true;
+    constexpr StraightenLimits before_shorter{0.3, 0.4};
+    const bool first = !std::exchange(rejected, true);
+    if (first && straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid, before_shorter)) continue;
     dt *= shorten;
     if (dt < run.scene.accuracy.min_step) {
       run.outcome.facts.reason =

@@ -299,8 +299,8 @@ def in_space(case, *names):
         thinnest = solid["thinnest"]
         rows.append([name, f"{solid['mean_thickness_mm']:.2f}", f"{thinnest['thickness_mm']:.2f}",
                      f"({thinnest['x_mm']:.0f}, {thinnest['y_mm']:.0f}, {thinnest['z_mm']:.0f})", f"{solid['capacity_ml']:.1f}",
-                     f"{100 * solid['outer_side_in_contact']:.0f} %", str(solid["cells"]), str(solid["steps"]), digits(run["cpu_seconds"])])
-    return table(["run", "wall in the mean, mm", "thinnest, mm", "at (x, y, z), mm", "capacity, ml", "outer side in contact", "cells", "steps in space",
+                     f"{100 * solid['outer_within_0.2mm_of_tools']:.0f} %", str(solid["cells"]), str(solid["steps"]), digits(run["cpu_seconds"])])
+    return table(["run", "wall in the mean, mm", "thinnest, mm", "at (x, y, z), mm", "capacity, ml", "outer side within 0.2 mm of the mould", "cells", "steps in space",
                   "CPU, s, one thread"], rows)
 
 

@@ -160,7 +160,7 @@ void write_solid_summary(const Scene& scene, const std::string& result, const So
   place("thickest", wall.points[wall.thickest]);
   json.add("mean_thickness_mm", 1e3 * wall.mean);
   json.add("capacity_ml", 1e6 * wall.capacity);
-  json.add("outer_side_in_contact", wall.touching);
+  json.add("outer_within_0.2mm_of_tools", wall.near_tools);
   json.add("largest_volume_error", solid.totals.volume_error);
   json.add("heat_to_tools_J", solid.totals.to_tools / solid.share);
   json.add("heat_to_air_J", solid.totals.to_air / solid.share);
@@ -196,7 +196,7 @@ std::string solid_table(const Scene& scene, const SolidState& solid, const Solid
   text += fmt::format("  {:<22}{}\n", "thinnest", place(wall.thinnest));
   text += fmt::format("  {:<22}{}\n", "thickest", place(wall.thickest));
   text += fmt::format("  {:<22}{:.1f} ml to the rim\n", "capacity", 1e6 * wall.capacity);
-  text += fmt::format("  {:<22}{:.1f} % of the outer side\n", "touching", 100 * wall.touching);
+  text += fmt::format("  {:<22}{:.1f} % of the outer side within 0.2 mm\n", "near tools", 100 * wall.near_tools);
   text += fmt::format("  {:<22}{:.0f} degC in the mean of its nodes, {:.0f} to {:.0f}\n", "glass", celsius(mean),
                       celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()));
   text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat",

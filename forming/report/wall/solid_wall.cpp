@@ -47,9 +47,10 @@ double distance_to(const SurfaceSamples& samples, const Vector3& at) {
   return std::abs((samples.at[nearest] - at).dot(samples.normal[nearest]));
 }
 
-/// Means over the outer side: of the thickness by node, and of the points that touch.
+/// Means over the outer side: of the thickness by node, and of the points near a tool.
 void add_means(const SolidState& solid, const std::map<Index, double>& thickness, SolidWall& wall) {
-  double area = 0, sum = 0, touching_area = 0;
+  constexpr double near = 2e-4;  // m
+  double area = 0, sum = 0, near_area = 0;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     if (solid.heat_faces[f].boundary_id != static_cast<Index>(SolidSide::outer)) continue;
     const auto numbers = core::face_node_numbers(solid.glass.mesh, solid.faces[f]);
@@ -62,10 +63,10 @@ void add_means(const SolidState& solid, const std::map<Index, double>& thickness
     if (solid.glass.contact.empty()) continue;
     const auto points = core::map_hex_face(nodes, solid.faces[f], flow::contact_points_along);
     for (std::size_t p = 0; p < points.size(); ++p)
-      if (solid.glass.contact[f * flow::contact_points_per_face + p].touches) touching_area += points[p].area;
+      if (solid.glass.contact[f * flow::contact_points_per_face + p].gap < near) near_area += points[p].area;
   }
   wall.mean = sum / area;
-  wall.touching = touching_area / area;
+  wall.near_tools = near_area / area;
 }
 
 /// Volume inside of the inner side up to a plane across the axis at its rim, m3: by Gauss' theorem with the field

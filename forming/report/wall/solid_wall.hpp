@@ -21,7 +21,7 @@ struct SolidWall {
   double mean;                         ///< of the thickness by area of the outer side, m
   std::size_t thinnest, thickest;      ///< indices of points
   double capacity;                     ///< inside up to the rim, m3, of the whole container
-  double touching;                     ///< share of the outer side that touches a tool
+  double near_tools;                   ///< share of the outer side within 0.2 mm of a tool in its place
 };
 SolidWall solid_wall(const SolidState& solid);
 
