@@ -83,8 +83,8 @@ TEST(Contour, both_sides_of_a_tube_have_its_thickness) {
     EXPECT_NEAR(point.temperature, 1273.15, 1e-9);
     if (z < 1e-3 || z > 0.039) continue;
     EXPECT_NEAR(point.thickness, 4e-3, 1e-9);
-    EXPECT_NEAR(point.position[0], point.side == SurfacePart::outer ? 0.031 : 0.027, 1e-9);
-    (point.side == SurfacePart::outer ? outer : inner) += 1;
+    EXPECT_NEAR(point.position[0], point.side == remesh::SurfacePart::outer ? 0.031 : 0.027, 1e-9);
+    (point.side == remesh::SurfacePart::outer ? outer : inner) += 1;
   }
   EXPECT_GT(outer, 20);
   EXPECT_GT(inner, 20);
