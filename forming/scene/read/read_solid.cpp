@@ -101,30 +101,45 @@ void check_solid_stage(const Stage& stage, const CaseNode& node) {
     if (name != inner_side) refuse("a pressure on another side than \"inner\"");
 }
 
+/// Where an outline is furthest inside the surface of a mould.
+struct Narrowest {
+  double depth = 0, height = 0, angle = 0;  ///< m, m, rad
+};
+Narrowest narrowest_place(const Body& blank, const Tool& mould) {
+  const auto [low, high] = contact_range(mould);
+  const contact::SectionSurface surface(mould.profile, contact_boundaries(mould), mould.section, mould.position);
+  const auto contact = contact_boundaries(blank);
+  Narrowest narrowest;
+  constexpr int along = 16, quarter = 18;  // places of a segment, and of a quarter turn
+  for (const core::Segment& segment : blank.profile.segments)
+    for (int i = 0; contact[segment.boundary_id] && i <= along; ++i) {
+      const core::Point at = core::point_at(segment, double(i) / along);
+      const double z = at[1] + blank.position;
+      constexpr double joint = 1e-3;  // m, at the ends of the mould
+      if (z < low + mould.position + joint || z > high + mould.position - joint) continue;
+      for (int turn = 0; turn <= quarter; ++turn) {
+        const double angle = M_PI_2 * turn / quarter;
+        const double depth = -surface.gap({at[0] * std::cos(angle), at[0] * std::sin(angle), z}).distance;
+        if (depth > narrowest.depth) narrowest = {depth, z, angle};
+      }
+    }
+  return narrowest;
+}
+
 /// Refuses a mould that is narrower than what forms the parison: by the outlines of both.
 void check_room(const Scene& scene, const StageTool& entry, const CaseNode& node) {
   const Tool& mould = scene.tools[entry.tool];
   if (mould.section.is_round() || !scene.container || !scene.container->parison) return;
-  const auto [low, high] = contact_range(mould);
-  const contact::SectionSurface surface(mould.profile, contact_boundaries(mould), mould.section, mould.position);
   for (const StageTool& other : scene.stages[scene.container->parison->stage].tools) {
-    const Tool& blank = scene.tools[other.tool];
     if (scene.container->parison->plunger == other.tool || other.tool == entry.tool) continue;
-    const auto contact = contact_boundaries(blank);
-    for (const core::Segment& segment : blank.profile.segments)
-      for (int i = 0; contact[segment.boundary_id] && i <= 16; ++i)
-        for (int quarter = 0; quarter <= 18; ++quarter) {
-          const core::Point at = core::point_at(segment, i / 16.0);
-          const double z = at[1] + blank.position, angle = M_PI_2 * quarter / 18;
-          constexpr double joint = 1e-3, bearable = 2e-4;  // m
-          if (z < low + mould.position + joint || z > high + mould.position - joint) continue;
-          const double gap = surface.gap({at[0] * std::cos(angle), at[0] * std::sin(angle), z}).distance;
-          if (gap < -bearable)
-            core::refuse(node,
-                         fmt::format("\"{}\" is {:.2f} mm wider than \"{}\" at z = {:.1f} mm, {:.0f} deg from the "
-                                     "plane y = 0, allowed is a mould with room for the parison",
-                                     blank.name, -1e3 * gap, mould.name, 1e3 * z, angle * 180 / M_PI));
-        }
+    const Tool& blank = scene.tools[other.tool];
+    const auto [depth, height, angle] = narrowest_place(blank, mould);
+    constexpr double bearable = 2e-4;  // m
+    if (depth > bearable)
+      core::refuse(node,
+                   fmt::format("\"{}\" is {:.2f} mm wider than \"{}\" at z = {:.1f} mm, {:.0f} deg from the plane "
+                               "y = 0, allowed is a mould with room for the parison",
+                               blank.name, 1e3 * depth, mould.name, 1e3 * height, angle * 180 / M_PI));
   }
 }
 
