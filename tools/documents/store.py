@@ -65,7 +65,7 @@ RUNS = {
     "nnpb": {"draft": ("draft", []), "standard": ("standard", [])},
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.7 s", "dimension.reheat=1.6 s", "dimension.run=0.5 s"])},
-    "square_jar": {"draft": ("draft", []), "sharp": ("draft", ["dimension.corner_radius=8 mm"])},
+    "square_jar": {"draft": ("draft", [])},
     "sag": {"draft": ("draft", []), "standard": ("standard", [])},
     "vial": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},

@@ -163,7 +163,7 @@ std::string drawn_curves(const std::vector<Curve>& curves, const Range& heights,
   constexpr double height_tick = 20e-3;
   for (double z = std::ceil(heights.low / height_tick - 1e-6) * height_tick; z <= heights.high; z += height_tick)
     text += svg::line(left - 5, y(z), left, y(z), R"(stroke="black")") +
-            svg::text(left - 8, y(z) + 4, "end", fmt::format("{:.0f}", 1e3 * z));
+            svg::text(left - 8, y(z) + 4, "end", fmt::format("{:.0f}", 1e3 * z + 0.0));
   double legend = margin;
   for (const Curve& curve : curves) {
     svg::Path path;

@@ -17,7 +17,7 @@ TEST(SceneErrors, unknown_key) {
       "duration = \"2 s\"", "duraton = \"2 s\"",
       "stage.duraton: unknown key (did you mean \"duration\"?), allowed are name, duration, from, until, "
       "end_speed, gravity, tools, motion, pressure, end, air, inner_air, trapped_air, cooling, name_boundary, kind, "
-      "lehr");
+      "lehr, solid");
 }
 
 TEST(SceneErrors, navier_friction_without_its_coefficient) {
