@@ -15,6 +15,7 @@
 #include "core/io/json_read.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/scene/accuracy.hpp"
+#include "forming/scene/describe/round_glass.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -252,7 +253,9 @@ forming::Scene read_base(const WhatIf& asked) {
     if (const auto repeated = core::repeated_key(forming::read_case(asked.case_path, asked.overrides), asked.overrides);
         asked.base_results.empty() && !repeated.empty())
       throw core::CaseError(fmt::format("--base: {}; allowed is one of them", repeated));
-    return forming::read_scene(asked.case_path, "draft", asked.overrides);
+    forming::Scene scene = forming::read_scene(asked.case_path, "draft", asked.overrides);
+    forming::require_round_glass(scene, "`parison what-if`");
+    return scene;
   } catch (const core::CaseError& error) {
     throw core::CaseError(forming::refusal_text(error, "--base", asked.overrides));
   }

@@ -181,6 +181,9 @@ std::string stage_lines(const Scene& scene) {
       if (named.touched)
         text += fmt::format("  {:<20}names {}: what {} touched\n", "", named.name, scene.tools[*named.touched].name);
     text += describe_named_points(scene, stage);
+    if (scene.solid && &stage == &scene.stages[scene.solid->from_stage])
+      text += fmt::format("  {:<20}from here on the glass is a body in space, a sector of {:.0f} deg\n", "",
+                          scene.solid->sector * 180 / M_PI);
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/case/case_error.hpp"
+#include "forming/scene/describe/round_glass.hpp"
 #include "forming/study/audit.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
@@ -143,6 +144,7 @@ std::size_t usual_runs(std::size_t tolerances) {
 
 UncertaintyPlan plan_uncertainty(const UncertaintyStudy& study) {
   const Scene base = read_scene(study.case_path, study.accuracy, study.overrides);
+  require_round_glass(base, "`parison uncertainty`");
   UncertaintyPlan plan{study, base.tolerances, {}, {}, {}, {}, {}, {}};
   if (plan.tolerances.empty())
     throw core::CaseError(

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/scene/describe/round_glass.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/case/case_error.hpp"
+
+namespace parison::forming {
+
+void require_round_glass(const Scene& scene, const char* question) {
+  if (!scene.solid) return;
+  throw core::CaseError(
+      fmt::format("{}: the glass is a body in space from stage \"{}\" on, allowed for {} are cases "
+                  "whose glass stays round",
+                  scene.file, scene.stages[scene.solid->from_stage].name, question));
+}
+
+void require_round_results(const std::string& directory, const char* question) {
+  if (!std::filesystem::exists(directory + "/solid/summary.json")) return;
+  throw core::CaseError(
+      fmt::format("{}: glass in space was found, allowed for {} are results of round glass; "
+                  "solid/glass.pvd and solid/wall.csv have its shape",
+                  directory, question));
+}
+
+}  // namespace parison::forming
