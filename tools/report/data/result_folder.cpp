@@ -56,9 +56,13 @@ void add_row(ResultTable& table, const std::vector<std::string>& cells) {
   }
 }
 
+constexpr const char* in_space_history = "/solid/history.csv";
+
 /// A summary is of the whole run where it ends at the same time as the history.
-bool belongs(const Json& summary, const ResultTable& history) {
-  const auto* times = history.column("time_s");
+bool belongs(const Json& summary, const ResultFolder& folder) {
+  const ResultTable in_space = read_table(folder.path + in_space_history);
+  const auto* round = folder.history.column("time_s");
+  const auto* times = in_space.column("time_s") ? in_space.column("time_s") : round;
   if (!summary.is_object() || !times || times->empty()) return summary.is_object();
   const auto time = summary.find("time_s");
   return time != summary.end() && time->is_number() &&
@@ -90,6 +94,8 @@ void read_state(ResultFolder& folder, const Json& summary) {
     folder.told = "the run ended without a summary, as when it is killed; what it wrote before is shown; " + resume;
   } else if (flag_of(summary, "completed")) {
     folder.state = RunState::completed;
+    if (fs::exists(folder.path + in_space_history))
+      folder.told = "the glass became a body in space, where this page does not follow it: solid/wall.svg shows it";
   } else if (flag_of(summary, "stopped")) {
     folder.state = RunState::stopped;
     folder.told =
@@ -186,7 +192,7 @@ ResultFolder read_folder(const std::string& path) {
   if (fs::is_regular_file(path + "/summary.json", unreadable)) {
     const std::string text = core::read_text(path + "/summary.json");
     summary = Json::parse(text, nullptr, false);
-    if (belongs(summary, folder.history)) folder.summary = text;
+    if (belongs(summary, folder)) folder.summary = text;
   }
   read_state(folder, summary);
   folder.stages = stages_of(folder, summary);
