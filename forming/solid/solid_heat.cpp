@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "contact/solid/solid_conductance.hpp"
 #include "contact/solid/solid_mortar.hpp"
 #include "core/mesh/element.hpp"
 #include "core/solid/hex_element.hpp"
@@ -129,20 +130,6 @@ core::SolidInterface solid_interface(const Scene& scene, const State& clock, con
   return contact::build_interface(slave, masters);
 }
 
-/// The conductance of the scene's laws at points in space.
-thermal::SolidInterfaceLaw law_in_space(const Scene& scene, const State& clock, const core::SolidInterface& interface,
-                                        std::vector<core::InterfacePoint>& points, long& clamped) {
-  points.resize(interface.points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    points[p].pressure = interface.points[p].pressure;
-    points[p].law = interface.points[p].law;
-  }
-  return
-      [law = interface_law(scene, points, clock.time, clamped), &points](
-          double time, const std::vector<core::SolidInterfacePoint>&, const thermal::InterfaceTemperatures& temperature,
-          Eigen::ArrayXd& h, Eigen::ArrayXd* dh_dT) { law(time, points, temperature, h, dh_dT); };
-}
-
 /// Thickness of the wall at each node, m: the length of its column.
 Eigen::VectorXd column_lengths(const SolidState& solid) {
   Eigen::VectorXd length(solid.glass.mesh.node_count());
@@ -182,10 +169,10 @@ std::string advance_solid_heat(const Scene& scene, const State& clock, double dt
     temperature.push_back(tool.temperature);
   }
   std::vector<std::vector<Vector3>> moved(solid.tools.size());
-  std::vector<core::InterfacePoint> points;
   long clamped = 0;
   problem.interface = solid_interface(scene, clock, solid, moved);
-  problem.law = law_in_space(scene, clock, problem.interface, points, clamped);
+  const auto points = contact::conductance_points(problem.interface.points);
+  problem.law = thermal::in_space(interface_law(scene, points, clock.time, clamped), points);
   thermal::StepOptions options;
   options.tolerance = temperature_tolerance(scene);
   constexpr double newton_fraction = 1e-3;
