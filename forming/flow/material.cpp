@@ -13,6 +13,9 @@ namespace {
 /// Glass with a viscosity of 1e12 Pa.s does not deform within the time of a run. The law stays there at lower
 /// temperatures, also near and below T0 where it has no value.
 constexpr double max_log10 = 12;
+/// Shear modulus of glass (N. P. Bansal, R. H. Doremus, Handbook of Glass Properties, 1986: 29 to 30 GPa for soda-lime
+/// glass) times a second, of the order of a stage.
+constexpr double stiffest_in_flow = 30e9 * 1;  // Pa.s
 
 /// A viscosity by measured points: ln eta, at most that of frozen glass, and its derivative.
 ViscosityTable::Value capped(const ViscosityTable& table, double temperature) {
@@ -54,9 +57,19 @@ double Viscosity::operator()(double temperature) const {
   return constant ? *constant : std::exp(log_viscosity(*this, temperature));
 }
 
+double Viscosity::in_flow(double temperature) const {
+  const double viscosity = (*this)(temperature);
+  return constant ? viscosity : std::min(viscosity, stiffest_in_flow);
+}
+
 Eigen::ArrayXd Viscosity::logarithm(const Eigen::ArrayXd& temperature) const {
   if (table) return temperature.unaryExpr([&](double T) { return capped(*table, T).logarithm; });
   return log_viscosity(*this, temperature);
+}
+
+Eigen::ArrayXd Viscosity::logarithm_in_flow(const Eigen::ArrayXd& temperature) const {
+  const Eigen::ArrayXd value = logarithm(temperature);
+  return constant ? value : value.min(std::log(stiffest_in_flow));
 }
 
 Eigen::ArrayXd Viscosity::log_derivative(const Eigen::ArrayXd& temperature) const {

@@ -17,6 +17,9 @@ struct Viscosity {
 
   /// eta, Pa.s, at a temperature in K.
   double operator()(double temperature) const;
+  /// eta, Pa.s, that the flow takes: at most the shear modulus of glass, 30 GPa, times a second. Stiffer glass is
+  /// elastic while a stage lasts; as a fluid it would bear stresses that no strain of glass makes.
+  double in_flow(double temperature) const;
   /// ln eta, eta in Pa.s, of glass in equilibrium at a temperature in K: without that limit.
   double equilibrium_logarithm(double temperature) const;
   /// Whether glass of a temperature should be stiffer than this law lets it be.
@@ -28,6 +31,8 @@ struct Viscosity {
   /// ln eta, eta in Pa.s, and its derivative, 1/K, at many temperatures.
   Eigen::ArrayXd logarithm(const Eigen::ArrayXd& temperature) const;
   Eigen::ArrayXd log_derivative(const Eigen::ArrayXd& temperature) const;
+  /// ln eta, eta in Pa.s, that the flow takes, at many temperatures.
+  Eigen::ArrayXd logarithm_in_flow(const Eigen::ArrayXd& temperature) const;
 };
 
 /// Shear thinning by Carreau (1972): the viscosity is multiplied by (1 + (lambda rate)^2)^((n-1)/2), where rate is the

@@ -6,7 +6,7 @@ import math
 from . import scenes as s
 
 A, B, T0 = -2.309, 3922.0, 564.15  # of the VFT law, K
-CAP = 1e12  # Pa.s
+CAP = 3e10  # Pa.s, of the flow
 
 
 def viscosity(kelvin):

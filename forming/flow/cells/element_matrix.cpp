@@ -203,7 +203,7 @@ std::vector<double> viscosity_field(const Problem& problem, const CellGeometry& 
     for (Index k = 0; k < at_points.size(); ++k)
       at_points[k] = problem.viscosity(geometry.position(k / cell_points, k % cell_points));
   } else {
-    at_points = problem.material->viscosity.logarithm(temperature_at_points(mesh, *problem.temperature)).exp();
+    at_points = problem.material->viscosity.logarithm_in_flow(temperature_at_points(mesh, *problem.temperature)).exp();
   }
   for (Index c = 0; c < Index(problem.frozen.size()); ++c)
     if (problem.frozen[c]) at_points.segment<cell_points>(c * cell_points) *= frozen_factor;

@@ -23,7 +23,7 @@ constexpr int most_points = 12;
 /// ln eta at points with such temperatures and positions (one a column).
 Eigen::ArrayXd log_viscosity(const SolidProblem& problem, const Eigen::VectorXd& temperature,
                              const Eigen::Matrix3Xd& position) {
-  if (!problem.viscosity) return problem.material->viscosity.logarithm(temperature.array());
+  if (!problem.viscosity) return problem.material->viscosity.logarithm_in_flow(temperature.array());
   Eigen::ArrayXd value(temperature.size());
   for (Index q = 0; q < value.size(); ++q) value[q] = std::log(problem.viscosity(position.col(q)));
   return value;

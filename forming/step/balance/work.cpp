@@ -117,11 +117,12 @@ double unforeseen_work(const flow::Viscosity& viscosity, const core::Mesh& mesh,
   const auto mean = [](const auto& cell, const Eigen::VectorXd& temperature) {
     return (temperature[cell[3]] + temperature[cell[4]] + temperature[cell[5]]) / 3;
   };
+  const auto eta = [&](double temperature) { return viscosity.in_flow(temperature); };
   double power = 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const double first = mean(cells[cell], before), last = mean(cells[cell], after);
-    const double in_flow = viscosity(mean(cells[cell], predicted));
-    const double in_step = (viscosity(first) + 4 * viscosity(0.5 * (first + last)) + viscosity(last)) / 6;
+    const double in_flow = eta(mean(cells[cell], predicted));
+    const double in_step = (eta(first) + 4 * eta(0.5 * (first + last)) + eta(last)) / 6;
     // Glass that turns out stiffer by decades would flow less: it counts once at most.
     const double change = (in_step - in_flow) / std::max(in_step, in_flow);
     for (std::size_t q = 0; q < points; ++q) power += dissipation[cell * points + q] * std::abs(change);

@@ -22,6 +22,16 @@ TEST(Viscosity, is_limited_to_1e12_also_where_the_law_has_no_value) {
   }
 }
 
+TEST(Viscosity, of_the_flow_is_that_of_the_law_up_to_the_shear_modulus_times_a_second) {
+  const Viscosity constant{0, 0, 0, 1e15};
+  for (double T = 600; T < 1700; T += 20) {
+    EXPECT_EQ(soda_lime.in_flow(T), std::min(soda_lime(T), 3e10));
+    const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, T);
+    EXPECT_NEAR(std::exp(soda_lime.logarithm_in_flow(at)[0]) / soda_lime.in_flow(T), 1, 1e-13);
+    EXPECT_EQ(constant.in_flow(T), constant(T));
+  }
+}
+
 TEST(Viscosity, derivatives_agree_with_finite_differences_and_are_not_zero) {
   for (const double T : {850.0, 1000.0, 1250.0, 1500.0}) {
     const double step = 1e-3;
