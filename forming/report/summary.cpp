@@ -17,8 +17,10 @@
 #include "forming/report/cooling/residual_stress.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/files/interface_rows.hpp"
+#include "forming/report/files/solid_files.hpp"
 #include "forming/report/process/mould_filling.hpp"
 #include "forming/report/summary_parts.hpp"
+#include "forming/report/wall/solid_quantities.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/state/fingerprint.hpp"
 #include "forming/state/initial_state.hpp"
@@ -112,8 +114,8 @@ void add_balance(JsonWriter& json, const Scene& scene, const State& state, const
   json.add("max_penetration_mm", 1e3 * seen.in_tools.node.depth);
   json.add("max_edge_penetration_mm", 1e3 * seen.in_tools.edge.depth);
   json.add("outer_within_0.2mm_of_tools", summary.outer_within_02mm);
-  json.add("heat_to_air_J", state.totals.to_air);
-  if (scene.has_light()) json.add("light_to_surroundings_J", state.totals.light_to_air);
+  json.add("heat_to_air_J", summary.heat_lost.to_air);
+  if (scene.has_light()) json.add("light_to_surroundings_J", summary.heat_lost.light_to_air);
   if (scene.enclosure) json.add("light_from_enclosure_J", state.totals.from_enclosure);
   json.add("dissipation_J", state.totals.dissipation);
   json.add("max_reynolds", seen.work.max_reynolds);
@@ -214,6 +216,13 @@ void add_thickness(JsonWriter& json, const Summary& summary) {
   json.close();
 }
 
+void add_container_in_space(JsonWriter& json, const Summary& summary) {
+  json.open_object("container");
+  json.add("weight_g", 1e3 * summary.glass.mass);
+  json.add("capacity_ml", 1e6 * *summary.capacity_in_space);
+  json.close();
+}
+
 std::string summary_json(const Scene& scene, const State& state, const Summary& summary, const ErrorBars* bars) {
   JsonWriter json;
   add_run(json, scene, state, summary);
@@ -231,7 +240,10 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
   add_thickness(json, summary);
   add_flags(json, summary.flags);
   add_checks(json, summary.run.checks, summary.run.completed);
-  add_container(json, scene, state, summary.no_wall.empty());
+  if (summary.capacity_in_space)
+    add_container_in_space(json, summary);
+  else
+    add_container(json, scene, state, summary.no_wall.empty());
   add_cooling(json, scene, state, summary);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
@@ -261,10 +273,12 @@ void mark(const std::string& directory, const Checks& checks) {
 
 }  // namespace
 
-Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile) {
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile,
+                  const SolidState* solid) {
   Summary summary;
   summary.run = run;
   summary.glass = glass_facts(scene, state);
+  summary.heat_lost = {state.totals.to_tools, state.totals.to_air, state.totals.light_to_air};
   summary.thickness = thickness_range(profile.rows);
   summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
@@ -291,20 +305,30 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
       for (const std::size_t face : reported_faces(scene.tools[i]))
         summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
+  const auto wall = solid ? std::optional(solid_wall(*solid)) : std::nullopt;
+  if (wall) put_solid(*solid, *wall, summary);
   summary.flags = raised_flags(scene, run.diagnostics.extremes, state.time, summary.thickness);
   if (const auto flag = mould_not_filled(run.filling); flag && run.completed) summary.flags.push_back(*flag);
-  summary.quantities = quantities(scene, state, summary, in_space ? ThicknessProfile{} : profile);
+  summary.quantities = wall ? solid_quantities(scene, state, summary, *solid, *wall)
+                            : quantities(scene, state, summary, in_space ? ThicknessProfile{} : profile);
   return summary;
 }
 
-Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run) {
+Summary write_summary(const std::string& directory, const Scene& scene, const RunOutcome& outcome) {
+  const State& state = outcome.state;
   const ThicknessProfile profile = thickness_profile(scene, state);
-  const Summary summary = summarise(scene, state, run, profile);
+  const Summary summary = summarise(scene, state, outcome.facts, profile, outcome.solid.get());
+  if (outcome.solid) {
+    write_solid_summary(scene, directory, *outcome.solid, solid_wall(*outcome.solid));
+    mark(directory, outcome.facts.checks);
+    core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));
+    return summary;
+  }
   write_thickness(directory + "/thickness.csv", profile.rows);
   const std::vector<ContourPoint> points = contour(scene, state, profile);
   core::replace_file(directory + "/contour.csv", contour_text(scene, state, points), core::Reach::system);
   core::replace_file(directory + "/heights.csv", heights_text(height_rows(scene, state, points)), core::Reach::system);
-  mark(directory, run.checks);
+  mark(directory, outcome.facts.checks);
   for (const char* name : {"/thickness.csv", "/contour.csv", "/heights.csv"}) core::sync_to_disk(directory + name);
   core::replace_file(directory + "/summary.json", summary_json(scene, state, summary, nullptr));  // last: it says done
   return summary;

@@ -66,6 +66,11 @@ struct ToolSummary {
   std::vector<std::pair<std::string, double>> faces;  ///< boundaries with cooling or a given temperature, heat out, J
 };
 
+/// Heat that the glass has given off, J; of it as light to the surroundings.
+struct HeatLost {
+  double to_tools, to_air, light_to_air;
+};
+
 /// The results of a run in numbers.
 struct Summary {
   RunFacts run;
@@ -74,14 +79,19 @@ struct Summary {
   ThicknessRange thickness;      ///< m
   ThicknessRange beside_finish;  ///< the same, where tools grip the glass left out
   std::string no_wall;           ///< why there is no thickness, a sentence; empty with one
-  double outer_within_02mm;      ///< share of the outer surface within 0.2 mm of an active tool
+  HeatLost heat_lost;
+  std::optional<double> capacity_in_space;  ///< of a container that is not round, to its rim, m3
+  double outer_within_02mm;                 ///< share of the outer surface within 0.2 mm of an active tool
   FlagsRaised flags;
   Quantities quantities;
 };
-Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile);
+/// Of glass in space where there is `solid`.
+Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile,
+                  const SolidState* solid = nullptr);
 
-/// Writes thickness.csv, contour.csv, heights.csv and summary.json into the result folder.
-Summary write_summary(const std::string& directory, const Scene& scene, const State& state, const RunFacts& run);
+/// Writes thickness.csv, contour.csv, heights.csv and summary.json into the result folder; of glass in space
+/// summary.json alone, and the files of write_solid_summary.
+Summary write_summary(const std::string& directory, const Scene& scene, const RunOutcome& outcome);
 /// Writes summary.json again, now with error bars.
 struct ErrorBars;
 void add_error_bars(const std::string& directory, const Scene& scene, const State& state, const ErrorBars& bars,

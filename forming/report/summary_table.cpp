@@ -69,7 +69,9 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
   if (const std::string hot = hot_glass_text(scene, summary.run.diagnostics.hot_glass); !hot.empty())
     text += line("too hot at the most", hot);
   text += thickness_lines(summary);
-  const std::string capacity = capacity_text(scene, state, summary.no_wall.empty());
+  const std::string capacity = summary.capacity_in_space
+                                   ? figures(1e6 * *summary.capacity_in_space, 2) + " ml to the rim"
+                                   : capacity_text(scene, state, summary.no_wall.empty());
   if (!capacity.empty()) text += line("capacity", capacity);
   for (const auto& [label, found] : cooling_lines(scene, state, summary)) text += line(label, found);
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
@@ -134,11 +136,11 @@ std::string run_lines(const Scene& scene, const State& state, const Summary& sum
                                            100 * summary.glass.volume_drift, 100 * seen.max_drift));
   if (scene.has_heat()) {
     text += line("energy imbalance", fmt::format("{:.4f} %", 100 * summary.glass.energy_imbalance));
-    const std::string light =
-        scene.has_light() ? fmt::format(" ({:.2f} kJ of it light to the surroundings)", 1e-3 * totals.light_to_air)
-                          : "";
-    text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air{}", 1e-3 * totals.to_tools,
-                                          1e-3 * totals.to_air, light));
+    const std::string light = scene.has_light() ? fmt::format(" ({:.2f} kJ of it light to the surroundings)",
+                                                              1e-3 * summary.heat_lost.light_to_air)
+                                                : "";
+    text += line("heat lost", fmt::format("{:.2f} kJ to tools, {:.2f} kJ to air{}", 1e-3 * summary.heat_lost.to_tools,
+                                          1e-3 * summary.heat_lost.to_air, light));
   }
   if (scene.has_flow() && !scene.tools.empty())
     text += line("max penetration", fmt::format("{:.4f} mm", 1e3 * seen.in_tools.node.depth));

@@ -14,6 +14,8 @@
 #include "forming/report/files/case_copy.hpp"
 #include "forming/run/resume/case_change.hpp"
 #include "forming/run/resume/changed_tools.hpp"
+#include "forming/solid/hand_over.hpp"
+#include "forming/solid/visit_solid.hpp"
 #include "forming/state/visit_state.hpp"
 
 namespace parison::forming {
@@ -21,7 +23,24 @@ namespace {
 
 using core::Hdf5Group;
 
-constexpr std::int64_t format_version = 15;
+constexpr std::int64_t format_version = 16;
+
+std::vector<double> numbers_of(const std::vector<flow::SolidContact>& contact) {
+  std::vector<double> numbers;
+  for (const flow::SolidContact& point : contact)
+    for (const double number : {static_cast<double>(point.tool), point.gap, point.pressure,
+                                static_cast<double>(point.touches), static_cast<double>(point.released)})
+      numbers.push_back(number);
+  return numbers;
+}
+
+std::vector<flow::SolidContact> contact_of(const std::vector<double>& numbers) {
+  std::vector<flow::SolidContact> contact;
+  for (std::size_t i = 0; i + 5 <= numbers.size(); i += 5)
+    contact.push_back(
+        {static_cast<Index>(numbers[i]), numbers[i + 1], numbers[i + 2], numbers[i + 3] != 0, numbers[i + 4] != 0});
+  return contact;
+}
 
 struct Writer {
   Hdf5Group group;
@@ -34,6 +53,14 @@ struct Writer {
   void operator()(const char* name, const Eigen::VectorXd& value) { group.write(name, value); }
   void operator()(const char* name, const std::vector<int>& value) { group.write(name, value); }
   void operator()(const char* name, const std::vector<Point>& value) { core::write_points(group, name, value); }
+  void operator()(const char* name, const std::vector<core::Vector3>& value) {
+    std::vector<double> numbers;
+    for (const core::Vector3& at : value) numbers.insert(numbers.end(), at.begin(), at.end());
+    group.write(name, numbers, 3);
+  }
+  void operator()(const char* name, const std::vector<flow::SolidContact>& value) {
+    group.write(name, numbers_of(value), 5);
+  }
   void operator()(const char* name, const core::Mesh& value) { core::write_mesh(group.create(name), value); }
   Writer part(const std::string& name) { return {group.create(name)}; }
 };
@@ -49,6 +76,13 @@ struct Reader {
   void operator()(const char* name, Eigen::VectorXd& value) { value = group.read_vector(name); }
   void operator()(const char* name, std::vector<int>& value) { value = group.read_integers(name); }
   void operator()(const char* name, std::vector<Point>& value) { value = core::read_points(group, name); }
+  void operator()(const char* name, std::vector<core::Vector3>& value) {
+    const std::vector<double> numbers = group.read_doubles(name);
+    for (std::size_t n = 0; n < value.size(); ++n) value[n] = Eigen::Map<const core::Vector3>(&numbers.at(3 * n));
+  }
+  void operator()(const char* name, std::vector<flow::SolidContact>& value) {
+    value = contact_of(group.read_doubles(name));
+  }
   void operator()(const char* name, core::Mesh& value) { value = core::read_mesh(group.open(name)); }
   Reader part(const std::string& name) { return {group.open(name)}; }
 };
@@ -72,6 +106,9 @@ std::int64_t state_layout() {
   state.tools.resize(1);
   std::string names;
   visit_state(Names{names}, state);
+  SolidState solid;
+  solid.tools.resize(1);
+  visit_solid(Names{names}, solid);
   Diagnostics seen;
   resize(seen, state.tools.size());
   visit_diagnostics(Names{names}, seen);
@@ -113,6 +150,8 @@ void visit_files(Visitor visit, Files& files) {
   visit("history_size", files.history_size);
   visit("tools_size", files.tools_size);
   visit("interface_size", files.interface_size);
+  visit("solid_history_size", files.solid_history_size);
+  visit("solid_output_times", files.solid_output_times);
   visit("stage_lowest", files.stage_lowest);
   visit("output_times", files.output_times);
 }
@@ -196,6 +235,14 @@ std::vector<Index> require_match(const std::string& path, const Scene& scene, co
   return {};
 }
 
+/// Glass in space: that of the hand-over, with the values of the checkpoint. Tools that are others are as they begin.
+std::shared_ptr<SolidState> read_solid(Hdf5Group group, const Scene& scene, const State& state,
+                                       const std::vector<Index>& changed_tools) {
+  auto solid = std::make_shared<SolidState>(hand_over(scene, state, group.read_double("cell_size")));
+  visit_solid(Reader{std::move(group)}, *solid, changed_tools);
+  return solid;
+}
+
 void write_overrides(Hdf5Group& file, const std::vector<std::string>& overrides) {
   file.write("overrides", static_cast<std::int64_t>(overrides.size()));
   for (std::size_t i = 0; i < overrides.size(); ++i) file.write(fmt::format("override_{}", i), overrides[i]);
@@ -221,6 +268,11 @@ void write_checkpoint(const std::string& directory, const Scene& scene, const Ch
     visit_facts(Writer{file.create("facts")}, facts);
     visit_files(Writer{file.create("files")}, checkpoint.files);
     visit_state(Writer{file.create("state")}, checkpoint.outcome.state);
+    if (const SolidState* solid = checkpoint.outcome.solid.get()) {
+      Hdf5Group group = file.create("solid");
+      group.write("cell_size", solid->cell_size);
+      visit_solid(Writer{std::move(group)}, *solid);
+    }
   });
   put_in_place(directory);
 }
@@ -239,6 +291,7 @@ Checkpoint read_checkpoint(const std::string& path, const Scene& scene) {
   state.tools.resize(scene.tools.size());
   visit_state(Reader{file.open("state")}, state);
   renew_unused_tools(scene, changed_tools, checkpoint.outcome);
+  if (file.has("solid")) checkpoint.outcome.solid = read_solid(file.open("solid"), scene, state, changed_tools);
   return checkpoint;
 }
 

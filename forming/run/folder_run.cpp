@@ -24,8 +24,8 @@ Observers with_others(ResultWriter& results, CheckpointWriter& checkpoints, Soli
 RunOutcome run_in_folder(const Scene& scene, const std::string& directory, const Observers& others,
                          const StopRequest& stop, const remesh::Mesher& mesher, const RunFiles& files) {
   ResultWriter results(directory, files.fields);
-  CheckpointWriter checkpoints(results, files);
-  SolidWriter solid(directory);
+  SolidWriter solid(directory, files.fields);
+  CheckpointWriter checkpoints(results, solid, files);
   return run(scene, with_others(results, checkpoints, solid, others), stop, mesher);
 }
 
@@ -35,9 +35,9 @@ RunOutcome resume_in_folder(const Scene& scene, const std::string& directory, co
   const std::string path = find_checkpoint(directory);
   Checkpoint from = read_checkpoint(path, scene);
   const bool case_changed = read_origin(path).fingerprint != scene.fingerprint;
+  SolidWriter solid(directory, files.fields, from.files);
   ResultWriter results(directory, std::move(from.files), files.fields);
-  CheckpointWriter checkpoints(results, files, from.outcome.state.totals.steps, case_changed);
-  SolidWriter solid(directory);
+  CheckpointWriter checkpoints(results, solid, files, from.outcome.state.totals.steps, case_changed);
   return resume(scene, std::move(from.outcome), with_others(results, checkpoints, solid, others), stop, mesher);
 }
 

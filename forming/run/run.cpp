@@ -129,6 +129,7 @@ RunOutcome resume(const Scene& scene, RunOutcome from, const Observers& observer
   const State& state = run.outcome.state;
   notify(run, &RunObserver::run_begins);
   return finish(run, [&] {
+    if (run.outcome.solid) return run_solid_stages(run);
     std::string& reason = run.outcome.facts.reason;
     if (state.stage_time == 0) reason = after_press(run.outcome.facts, stage_precondition_failure(scene, state));
     return run_stages(run, state.stage_time > 0 || reason.empty());

@@ -29,7 +29,7 @@ void notify(RunInProgress& run, void (RunObserver::*event)(const RunView&, Param
   update_times(run);
   const core::ScopedTimer timer(run.outcome.facts.timing["output"]);
   for (RunObserver* observer : run.observers)
-    (observer->*event)({run.scene, run.outcome.state, run.outcome.facts}, arguments...);
+    (observer->*event)({run.scene, run.outcome.state, run.outcome.facts, run.outcome.solid}, arguments...);
 }
 
 /// Tells the observers that a checkpoint is possible, where one is: not while the heat of a static stage is in an

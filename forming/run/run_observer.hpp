@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <vector>
 
 #include "forming/report/summary.hpp"
@@ -13,7 +14,8 @@ namespace parison::forming {
 struct RunView {
   const Scene& scene;
   const State& state;
-  const RunFacts& facts;  ///< with the times up to this moment
+  const RunFacts& facts;                     ///< with the times up to this moment
+  const std::shared_ptr<SolidState>& solid;  ///< null while the glass is round
 };
 
 /// What follows a run: result files, checkpoints, the console, benchmarks. An observer sees everything and changes

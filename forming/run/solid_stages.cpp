@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "forming/run/solid_extremes.hpp"
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_step.hpp"
 #include "forming/solid/straighten.hpp"
@@ -17,12 +18,8 @@ namespace parison::forming {
 
 namespace {
 
-/// Sets the clock to the start of a stage.
-void start_clock(State& clock, Index stage) {
-  clock.stage = stage;
-  clock.stage_time = 0;
-  clock.stage_start = clock.time;
-}
+/// Steps from one possible checkpoint to the next within a stage.
+constexpr Index steps_to_checkpoint = 8;
 
 /// Why a stage cannot begin with the present places of glass and tools; empty where it can.
 std::string cannot_begin(const Scene& scene, const State& clock, const SolidState& solid) {
@@ -72,20 +69,37 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
   for (const StageTool& tool : run.scene.stages[clock.stage].tools)
     clock.tools[tool.tool].offset = tool_offset(run.scene, clock, tool.tool, clock.stage_time);
   solid.last_step = dt;
+  follow_extremes(run.scene, clock, solid, run.outcome.facts.diagnostics.extremes);
   solid.next_step = propose_solid_step(run.scene, clock, solid, std::max(dt, rejected ? dt : solid.next_step));
   return true;
 }
 
-bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
+/// False where the present places of glass and tools do not let it; the facts say why.
+bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   State& clock = run.outcome.state;
+  clock.stage = stage;
+  clock.stage_time = 0;
+  clock.stage_start = clock.time;
   solid.next_step = propose_solid_step(run.scene, clock, solid, 0);
   solid.glass.velocity.resize(0);  // pressures jump between stages
+  notify(run, &RunObserver::stage_begins);
+  run.outcome.facts.reason = cannot_begin(run.scene, clock, solid);
+  return run.outcome.facts.reason.empty();
+}
+
+bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
+  const State& clock = run.outcome.state;
+  workspace.heat = {};
   while (longest_stage_time(run.scene, clock) - clock.stage_time > same_time) {
     const double before = clock.time;
     if (!step_once(run, solid, workspace)) return false;
     notify(run, &RunObserver::solid_step_taken, solid);
     if (!outputs_due(run.scene, clock.stage, before, clock.time).empty())
       notify(run, &RunObserver::solid_fields_due, solid);
+    if (clock.totals.steps % steps_to_checkpoint == 0) {
+      workspace.heat = {};
+      offer_checkpoint(run, false);
+    }
     if (stop_requested(run)) return false;
   }
   return true;
@@ -101,22 +115,28 @@ void record_stage(RunInProgress& run, bool good) {
 
 bool run_solid_stages(RunInProgress& run) {
   State& clock = run.outcome.state;
-  start_clock(clock, run.scene.solid->from_stage);
-  run.outcome.solid = std::make_shared<SolidState>(hand_over(run.scene, clock));
+  bool good = true;
+  if (!run.outcome.solid) {
+    clock.stage = run.scene.solid->from_stage;  // a parison that cannot be followed fails there
+    clock.stage_time = 0;
+    clock.stage_start = clock.time;
+    const double size = solid_cell_size(run.scene, clock);
+    run.outcome.solid = std::make_shared<SolidState>(hand_over(run.scene, clock, size));
+    good = begin_stage(run, run.scene.solid->from_stage, *run.outcome.solid);
+    notify(run, &RunObserver::solid_fields_due, *run.outcome.solid);
+  }
   SolidState& solid = *run.outcome.solid;
   SolidWorkspace workspace;
-  for (Index stage = clock.stage; stage < static_cast<Index>(run.scene.stages.size()); ++stage) {
-    start_clock(clock, stage);
-    notify(run, &RunObserver::stage_begins);
-    if (stage == run.scene.solid->from_stage) notify(run, &RunObserver::solid_fields_due, solid);
-    run.outcome.facts.reason = cannot_begin(run.scene, clock, solid);
-    const bool good = run.outcome.facts.reason.empty() && advance_stage(run, solid, workspace);
+  for (;;) {
+    good = good && advance_stage(run, solid, workspace);
+    if (!run.outcome.facts.stopped) offer_checkpoint(run, true);
     notify(run, &RunObserver::solid_fields_due, solid);
     record_stage(run, good);
     notify(run, &RunObserver::stage_ends);
-    if (!good) return false;
+    const Index next = clock.stage + 1;
+    if (!good || next == static_cast<Index>(run.scene.stages.size())) return good;
+    good = begin_stage(run, next, solid);
   }
-  return true;
 }
 
 }  // namespace parison::forming

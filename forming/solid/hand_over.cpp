@@ -65,15 +65,21 @@ std::vector<core::HexFace> faces_of(const SolidState& state, SolidSide side) {
   return result;
 }
 
-SolidState hand_over(const Scene& scene, const State& state) {
+double solid_cell_size(const Scene& scene, const State& state) {
+  return solid_size(scene.accuracy) / widening(scene, state);
+}
+
+SolidState hand_over(const Scene& scene, const State& state, double cell_size) {
   const core::Mesh& section = state.glass.mesh;
   const auto sides = remesh::wall_sides(section, scene.geometry, remesh::surface_rays(section, scene.geometry));
   if (!sides.no_wall.empty()) throw core::RunError("the parison cannot be followed in space: " + sides.no_wall);
   const remesh::WallCoordinates coordinates(section, sides);
-  remesh::WallMesh wall = remesh::turn_wall(coordinates, {solid_size(scene.accuracy) / widening(scene, state),
-                                                          solid_layers(scene.accuracy), scene.solid->sector});
+  remesh::WallMesh wall =
+      remesh::turn_wall(coordinates, {cell_size, solid_layers(scene.accuracy), scene.solid->sector});
   SolidState solid;
+  solid.cell_size = cell_size;
   solid.share = scene.solid->sector / (2 * M_PI);
+  solid.first_mesh = wall.mesh;
   solid.glass.mesh = std::move(wall.mesh);
   solid.glass.temperature.resize(solid.glass.mesh.node_count());
   for (Index n = 0; n < solid.glass.mesh.node_count(); ++n)

@@ -39,6 +39,8 @@ struct SolidTotals {
 
 /// Glass and tools in space: a sector about the axis.
 struct SolidState {
+  double cell_size = 0;      ///< along the wall where the glass was handed over, m
+  core::HexMesh first_mesh;  ///< of the hand-over: by its places unknowns are eliminated
   flow::SolidGlass glass;
   Eigen::VectorXd point_mass;              ///< of the glass by point of its cells, kg
   std::vector<core::HexFace> faces;        ///< the surface of the glass but for planes of symmetry

@@ -88,7 +88,7 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
   std::vector<std::size_t> places;
   const flow::SolidProblem problem = flow_problem(scene, clock, solid, dt, places);
   if (!workspace.flow)
-    workspace.flow = std::make_unique<flow::FlowMatrix>(solid.glass.mesh, problem.planes, problem.fixed);
+    workspace.flow = std::make_unique<flow::FlowMatrix>(solid.first_mesh, problem.planes, problem.fixed);
   const flow::SolidGlass before = solid.glass;
   count_tools_of_flow(places, solid);
   const Eigen::VectorXd temperature = std::exchange(solid.glass.temperature, middle_temperature(solid, dt));

@@ -7,7 +7,8 @@
 
 namespace parison::forming {
 
-/// What steps of one solid keep.
+/// What steps of one solid keep. The pattern and the factor of heat come from earlier steps: a run that is taken up
+/// again has the same bits only where they are made anew.
 struct SolidWorkspace {
   std::unique_ptr<flow::FlowMatrix> flow;
   thermal::SolidStepMatrix heat;

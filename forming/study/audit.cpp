@@ -112,7 +112,8 @@ AuditRun audit_run(const std::string& case_path, const Variant& variant, const S
                   {}};
   if (!result.completed) return result;
   const State& state = outcome.state;
-  result.quantities = summarise(scene, state, outcome.facts, thickness_profile(scene, state)).quantities;
+  result.quantities =
+      summarise(scene, state, outcome.facts, thickness_profile(scene, state), outcome.solid.get()).quantities;
   result.wall = wall_of(state.glass.mesh, scene.geometry);
   result.loops = surface_of(state.glass.mesh);
   return result;

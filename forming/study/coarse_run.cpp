@@ -47,7 +47,7 @@ bool finish(const CoarseCase& coarse, const Observers& observers, const StopRequ
   if (!is_begun) core::remove_own(folder);  // what was killed before its first checkpoint
   const RunOutcome outcome = is_begun ? resume_in_folder(scene, folder, observers, stop, remesh::triangulate, files)
                                       : run_in_folder(scene, folder, observers, stop, remesh::triangulate, files);
-  write_summary(folder, scene, outcome.state, outcome.facts);
+  write_summary(folder, scene, outcome);
   return !outcome.facts.stopped && !outcome.facts.interrupted;
 }
 

@@ -15,7 +15,6 @@
 #include "core/io/json_read.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/scene/accuracy.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/comparison.hpp"
@@ -253,9 +252,7 @@ forming::Scene read_base(const WhatIf& asked) {
     if (const auto repeated = core::repeated_key(forming::read_case(asked.case_path, asked.overrides), asked.overrides);
         asked.base_results.empty() && !repeated.empty())
       throw core::CaseError(fmt::format("--base: {}; allowed is one of them", repeated));
-    forming::Scene scene = forming::read_scene(asked.case_path, "draft", asked.overrides);
-    forming::require_round_glass(scene, "`parison what-if`");
-    return scene;
+    return forming::read_scene(asked.case_path, "draft", asked.overrides);
   } catch (const core::CaseError& error) {
     throw core::CaseError(forming::refusal_text(error, "--base", asked.overrides));
   }

@@ -168,7 +168,7 @@ std::pair<Snapshot, py::dict> run(const std::shared_ptr<Scene>& scene, const std
     if (again) forming::require_unchanged_copy(directory, *scene);
     outcome = again ? forming::resume_in_folder(*scene, directory, {&callback}, stop)
                     : forming::run_in_folder(*scene, directory, {&callback}, stop);
-    forming::write_summary(directory, *scene, outcome.state, outcome.facts);
+    forming::write_summary(directory, *scene, outcome);
   }
   callback.raise_what_was_raised();
   const py::dict how = facts(outcome);

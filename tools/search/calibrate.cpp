@@ -10,6 +10,7 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/io/written_files.hpp"
+#include "forming/scene/describe/round_glass.hpp"
 #include "forming/study/search/calibration/calibration.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "tools/program/exit_codes.hpp"
@@ -155,6 +156,7 @@ CalibrationCase read_calibration(const CalibrateRequest& request) {
   if (rows <= calibration.variables.size())
     throw core::CaseError(fmt::format("{}: {} measurements were found, allowed are more than constants, {}",
                                       request.data.front(), rows, calibration.variables.size()));
+  forming::require_round_glass(scene, "`parison calibrate`");
   forming::check_corners(calibration);
   return calibration;
 }

@@ -29,6 +29,8 @@ Eigen::VectorXd conducted_flux(const core::Mesh& mesh, core::Geometry geometry, 
 struct WrittenFiles {
   std::int64_t history_size = 0, tools_size = 0, interface_size = 0;  ///< bytes
   std::vector<double> output_times;                                   ///< of the VTU files, s
+  std::int64_t solid_history_size = 0;                                ///< of glass in space, likewise
+  std::vector<double> solid_output_times = {};                        ///< s
   double stage_lowest = 0;  ///< lowest_downwards at the start of the present stage, m
 };
 

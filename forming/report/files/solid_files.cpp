@@ -9,6 +9,7 @@
 
 #include "core/io/json.hpp"
 #include "core/io/written_files.hpp"
+#include "forming/report/wall/meridian.hpp"
 #include "forming/report/wall/solid_picture.hpp"
 #include "thermal/properties.hpp"
 
@@ -28,12 +29,12 @@ std::vector<std::string> body_names(const Scene& scene, const SolidState& solid)
   return names;
 }
 
-/// Makes the folder, without the fields of an earlier run.
-std::string own_folder(const std::string& result, const std::vector<std::string>& bodies) {
+/// Makes the folder, without the fields of an earlier run but for the first `kept`.
+std::string own_folder(const std::string& result, const std::vector<std::string>& bodies, std::size_t kept) {
   const std::string directory = result + folder_name;
-  core::claim_folder(directory, "run", {"history.csv", "wall.csv", "wall.svg", "summary.json"});
+  core::claim_folder(directory, "run", {"history.csv", "wall.csv", "meridians.csv", "wall.svg", "summary.json"});
   for (const std::string& body : bodies)
-    for (std::size_t output = 0;; ++output) {
+    for (std::size_t output = kept;; ++output) {
       const std::string path = fmt::format("{}/{}_{:04}.vtu", directory, body, output);
       if (!std::filesystem::exists(path)) break;
       core::remove_own(path);
@@ -92,15 +93,21 @@ std::string surroundings_text(const Scene& scene) {
 
 }  // namespace
 
-SolidFiles::SolidFiles(const Scene& scene, const std::string& result, const SolidState& solid)
+SolidFiles::SolidFiles(const Scene& scene, const std::string& result, const SolidState& solid,
+                       const WrittenFiles& written)
     : scene_(scene),
-      directory_(own_folder(result, body_names(scene, solid))),
+      directory_(own_folder(result, body_names(scene, solid), written.solid_output_times.size())),
       names_(body_names(scene, solid)),
-      history_(directory_ + "/history.csv", 0) {
-  for (const std::string& name : names_) {
-    collections_.emplace_back(directory_ + '/' + name + ".pvd");
-    collections_.back().set({});
+      history_(directory_ + "/history.csv", written.solid_history_size),
+      output_times_(written.solid_output_times) {
+  for (std::size_t body = 0; body < names_.size(); ++body) {
+    std::vector<core::PvdCollection::Entry> entries;
+    for (std::size_t output = 0; output < output_times_.size(); ++output)
+      entries.push_back({output_times_[output], file(body, output)});
+    collections_.emplace_back(directory_ + '/' + names_[body] + ".pvd");
+    collections_.back().set(entries);
   }
+  if (history_.size() > 0) return;
   history_.append(
       "time_s,stage,dt_s,steps,glass_mean_degC,glass_min_degC,glass_max_degC,largest_volume_error,heat_to_tools_J,heat_"
       "to_"
@@ -121,25 +128,35 @@ void SolidFiles::row(const State& clock, const SolidState& solid) {
 }
 
 void SolidFiles::fields(const State& clock, const SolidState& solid) {
-  if (clock.time == last_output_) return;
-  last_output_ = clock.time;
-  core::write_vtu(directory_ + '/' + file(0, outputs_), solid.glass.mesh, glass_fields_of(clock, solid));
+  if (!output_times_.empty() && clock.time == output_times_.back()) return;
+  const std::size_t output = output_times_.size();
+  core::write_vtu(directory_ + '/' + file(0, output), solid.glass.mesh, glass_fields_of(clock, solid));
   for (std::size_t t = 0; t < solid.tools.size(); ++t) {
     const SolidTool& tool = solid.tools[t];
     core::VtuFields fields;
     fields.time = clock.time;
     fields.displacement = clock.tools[tool.tool].offset * core::axis_direction();
     fields.nodal.push_back({"temperature_degC", (tool.temperature.array() - thermal::content_reference).matrix()});
-    core::write_vtu(directory_ + '/' + file(1 + t, outputs_), tool.mesh, fields);
+    core::write_vtu(directory_ + '/' + file(1 + t, output), tool.mesh, fields);
   }
-  for (std::size_t body = 0; body < names_.size(); ++body) collections_[body].add(clock.time, file(body, outputs_));
-  ++outputs_;
+  for (std::size_t body = 0; body < names_.size(); ++body) collections_[body].add(clock.time, file(body, output));
+  output_times_.push_back(clock.time);
+}
+
+void SolidFiles::note(WrittenFiles& written) const {
+  for (std::size_t body = 0; body < names_.size(); ++body)
+    for (std::size_t output = 0; output < output_times_.size(); ++output)
+      core::sync_to_disk(directory_ + '/' + file(body, output));
+  core::sync_to_disk(history_.path());
+  written.solid_history_size = history_.size();
+  written.solid_output_times = output_times_;
 }
 
 void write_solid_summary(const Scene& scene, const std::string& result, const SolidState& solid,
                          const SolidWall& wall) {
   const std::string directory = result + folder_name;
   core::replace_file(directory + "/wall.csv", solid_wall_csv(wall));
+  core::replace_file(directory + "/meridians.csv", meridians_csv(solid, wall));
   core::replace_file(directory + "/wall.svg", solid_picture(scene, solid, wall));
   core::JsonWriter json;
   json.add("case", scene.name);
@@ -188,17 +205,11 @@ std::string solid_table(const Scene& scene, const SolidState& solid, const Solid
     return fmt::format("{:.2f} mm at x {:.1f}, y {:.1f}, z {:.1f} mm", 1e3 * at.thickness, 1e3 * at.at[0],
                        1e3 * at.at[1], 1e3 * at.at[2]);
   };
-  const double mean = solid.glass.temperature.mean();
   std::string text = fmt::format("  the glass in space, a sector of {:.0f} deg\n", scene.solid->sector * 180 / M_PI);
   text += fmt::format("  {:<22}{} cells, {} steps, {} rejected\n", "mesh", solid.glass.mesh.cell_count(),
                       solid.totals.steps, solid.totals.rejected);
-  text += fmt::format("  {:<22}{:.2f} mm in the mean\n", "wall", 1e3 * wall.mean);
   text += fmt::format("  {:<22}{}\n", "thinnest", place(wall.thinnest));
   text += fmt::format("  {:<22}{}\n", "thickest", place(wall.thickest));
-  text += fmt::format("  {:<22}{:.1f} ml to the rim\n", "capacity", 1e6 * wall.capacity);
-  text += fmt::format("  {:<22}{:.1f} % of the outer side within 0.2 mm\n", "near tools", 100 * wall.near_tools);
-  text += fmt::format("  {:<22}{:.0f} degC in the mean of its nodes, {:.0f} to {:.0f}\n", "glass", celsius(mean),
-                      celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()));
   text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat",
                       1e-3 * solid.totals.to_tools / solid.share, 1e-3 * solid.totals.to_air / solid.share);
   if (scene.has_light()) {

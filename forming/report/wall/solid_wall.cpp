@@ -47,26 +47,26 @@ double distance_to(const SurfaceSamples& samples, const Vector3& at) {
   return std::abs((samples.at[nearest] - at).dot(samples.normal[nearest]));
 }
 
-/// Means over the outer side: of the thickness by node, and of the points near a tool.
-void add_means(const SolidState& solid, const std::map<Index, double>& thickness, SolidWall& wall) {
+/// The outer side that belongs to each of its nodes, m2, and the share of it near a tool.
+std::map<Index, double> areas_of(const SolidState& solid, double& near_tools) {
   constexpr double near = 2e-4;  // m
-  double area = 0, sum = 0, near_area = 0;
+  std::map<Index, double> areas;
+  double area = 0, near_area = 0;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     if (solid.heat_faces[f].boundary_id != static_cast<Index>(SolidSide::outer)) continue;
     const auto numbers = core::face_node_numbers(solid.glass.mesh, solid.faces[f]);
     const core::HexFaceNodes nodes = core::face_nodes(solid.glass.mesh, solid.faces[f]);
     for (const auto& point : core::map_hex_face(nodes, solid.faces[f], rule_points)) {
       area += point.area;
-      for (int i = 0; i < 9; ++i)
-        sum += point.area * point.shape[i] * thickness.at(numbers[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < 9; ++i) areas[numbers[static_cast<std::size_t>(i)]] += point.area * point.shape[i];
     }
     if (solid.glass.contact.empty()) continue;
     const auto points = core::map_hex_face(nodes, solid.faces[f], flow::contact_points_along);
     for (std::size_t p = 0; p < points.size(); ++p)
       if (solid.glass.contact[f * flow::contact_points_per_face + p].gap < near) near_area += points[p].area;
   }
-  wall.mean = sum / area;
-  wall.near_tools = near_area / area;
+  near_tools = near_area / area;
+  return areas;
 }
 
 /// Volume inside of the inner side up to a plane across the axis at its rim, m3: by Gauss' theorem with the field
@@ -85,12 +85,14 @@ SolidWall solid_wall(const SolidState& solid) {
   const core::HexMesh& mesh = solid.glass.mesh;
   const SurfaceSamples inner = samples_of(mesh, faces_of(solid, SolidSide::inner));
   SolidWall wall;
-  std::map<Index, double> thickness;
+  const std::map<Index, double> areas = areas_of(solid, wall.near_tools);
+  double area = 0, sum = 0;
   for (const auto& column : solid.columns) {
     const Index outer = column.back(), opposite = column.front();
-    thickness[outer] = distance_to(inner, mesh.nodes[outer]);
-    wall.points.push_back({outer, opposite, mesh.nodes[outer], thickness[outer], solid.glass.temperature[outer],
-                           solid.glass.temperature[opposite]});
+    wall.points.push_back({outer, opposite, mesh.nodes[outer], distance_to(inner, mesh.nodes[outer]),
+                           solid.glass.temperature[outer], solid.glass.temperature[opposite], areas.at(outer)});
+    area += wall.points.back().area;
+    sum += wall.points.back().area * wall.points.back().thickness;
   }
   std::sort(wall.points.begin(), wall.points.end(), [](const SolidWallPoint& a, const SolidWallPoint& b) {
     return std::make_pair(a.at[2], std::atan2(a.at[1], a.at[0])) <
@@ -101,7 +103,7 @@ SolidWall solid_wall(const SolidState& solid) {
   wall.thinnest = static_cast<std::size_t>(least - wall.points.begin());
   wall.thickest = static_cast<std::size_t>(most - wall.points.begin());
   wall.capacity = inside_of(solid) / solid.share;
-  add_means(solid, thickness, wall);
+  wall.mean = sum / area;
   return wall;
 }
 

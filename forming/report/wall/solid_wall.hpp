@@ -13,6 +13,7 @@ struct SolidWallPoint {
   core::Vector3 at;                             ///< m, on the outer side
   double thickness;                             ///< to the nearest place of the inner side, m
   double outer_temperature, inner_temperature;  ///< K
+  double area;                                  ///< of the outer side that belongs to the node, m2, of the sector
 };
 
 /// The wall of a container in space.

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/run/observers/checkpoint_writer.hpp"
 
+#include <utility>
+
 #include "core/process/clock.hpp"
 #include "forming/run/checkpoint.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
 
-CheckpointWriter::CheckpointWriter(ResultWriter& results, const RunFiles& files, Index last_checkpoint,
-                                   bool case_changed)
+CheckpointWriter::CheckpointWriter(ResultWriter& results, SolidWriter& solid, const RunFiles& files,
+                                   Index last_checkpoint, bool case_changed)
     : results_(results),
+      solid_(solid),
       files_(files),
       case_changed_(case_changed),
       steps_(last_checkpoint),
@@ -24,7 +27,9 @@ bool CheckpointWriter::is_due(const RunView& run, bool at_stage_boundary) const 
 }
 
 void CheckpointWriter::write(const RunView& run) {
-  write_checkpoint(results_.directory(), run.scene, {{run.state, run.facts}, results_.sync()});
+  WrittenFiles written = results_.sync();
+  solid_.note(written);
+  write_checkpoint(results_.directory(), run.scene, {{run.state, run.facts, run.solid}, std::move(written)});
   written_at_ = core::wall_seconds();
   steps_ = run.state.totals.steps;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/run/observers/result_writer.hpp"
+#include "forming/run/observers/solid_writer.hpp"
 
 namespace parison::forming {
 
@@ -10,7 +11,8 @@ class CheckpointWriter : public RunObserver {
  public:
   /// `last_checkpoint` is the number of steps done at the one that the run is taken up from, -1 for a new run. Where
   /// the case has changed since, one of the new case is written at once.
-  CheckpointWriter(ResultWriter& results, const RunFiles& files, Index last_checkpoint = -1, bool case_changed = false);
+  CheckpointWriter(ResultWriter& results, SolidWriter& solid, const RunFiles& files, Index last_checkpoint = -1,
+                   bool case_changed = false);
 
   void run_begins(const RunView& run) override;
 
@@ -21,6 +23,7 @@ class CheckpointWriter : public RunObserver {
   bool is_due(const RunView& run, bool at_stage_boundary) const;
 
   ResultWriter& results_;
+  SolidWriter& solid_;
   const RunFiles& files_;
   bool case_changed_;
   Index steps_;        ///< done at the last checkpoint

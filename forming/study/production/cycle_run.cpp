@@ -212,7 +212,7 @@ CycleRun run_cycle(const Scene& scene, const MachineCycle& cycle, const std::str
   CycleRun result;
   result.forming =
       directory.empty() ? run(scene, {&observer}, stop) : run_in_folder(scene, directory, {&observer}, stop);
-  if (!directory.empty()) write_summary(directory, scene, result.forming.state, result.forming.facts);
+  if (!directory.empty()) write_summary(directory, scene, result.forming);
   result.stopped = result.forming.facts.stopped;
   result.failure = result.forming.facts.completed ? "" : result.forming.facts.reason;
   result.start = observer.start;

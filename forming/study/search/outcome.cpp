@@ -117,7 +117,8 @@ void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities) {
 }
 
 Outcome read_outcome(const std::string& folder, const WallPart& part) {
-  const std::string path = folder + "/summary.json", wall = folder + "/thickness.csv";
+  const std::string path = folder + "/summary.json", round = folder + "/thickness.csv";
+  const std::string wall = std::filesystem::exists(round) ? round : folder + "/solid/meridians.csv";
   const core::JsonValue summary = core::read_json_file(path).value_or(core::JsonValue{});
   if (!summary.flag_of("completed")) return {summary.text_of("reason"), {}, {}};
   Outcome outcome{"", read_quantities(summary), {}};

@@ -33,7 +33,8 @@ struct Outcome {
 /// The value at `at` of the line through the points (x, y), x ascending; that of the nearest end beyond them.
 double linear(const std::vector<double>& x, const std::vector<double>& y, double at);
 
-/// Reads summary.json and thickness.csv of a run that has come to its end.
+/// Reads summary.json and thickness.csv, of a container in space solid/meridians.csv, of a run that has come to its
+/// end.
 Outcome read_outcome(const std::string& folder, const WallPart& part);
 
 /// Shares of the outer area of the part at each place; all zero where no place lies in it.

@@ -30,7 +30,7 @@ TEST(Summary, the_file_is_valid_json_with_the_names_of_the_readme) {
   const Scene scene = case_of("contact_cylinders");
   const std::string folder = tests::absent_folder();
   ResultFiles files(scene, folder);
-  write_summary(folder, scene, initial_state(scene), some_facts());
+  write_summary(folder, scene, {initial_state(scene), some_facts()});
   const std::string text = core::read_text(folder + "/summary.json");
   for (const char* key : {"case",
                           "geometry",

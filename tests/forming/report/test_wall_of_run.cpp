@@ -38,7 +38,7 @@ TEST(WallSides, a_run_without_any_pressure_gives_the_thickness_of_its_disc_with_
   const Scene scene = scene_of(sagging_disc);
   const RunOutcome end = run_in_folder(scene, folder);
   ASSERT_TRUE(end.facts.completed);
-  write_summary(folder, scene, end.state, end.facts);
+  write_summary(folder, scene, end);
   const core::JsonValue summary = core::read_json(core::read_text(folder + "/summary.json"), "summary.json");
   const core::JsonValue& thickness = *summary.find("thickness");
   for (const char* key : {"min_mm", "mean_mm", "max_mm"}) EXPECT_NEAR(thickness.number_of(key), 6, 0.1) << key;
@@ -62,7 +62,7 @@ TEST(WallSides, a_run_that_leaves_a_gob_says_that_it_is_no_wall) {
   const Scene scene = scene_of(gob);
   const RunOutcome end = run_in_folder(scene, folder);
   ASSERT_TRUE(end.facts.completed);
-  write_summary(folder, scene, end.state, end.facts);
+  write_summary(folder, scene, end);
   const core::JsonValue summary = core::read_json(core::read_text(folder + "/summary.json"), "summary.json");
   const core::JsonValue& thickness = *summary.find("thickness");
   EXPECT_EQ(thickness.text_of("absent").rfind("the glass is no wall: ", 0), 0u) << thickness.text_of("absent");

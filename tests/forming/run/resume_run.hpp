@@ -62,7 +62,7 @@ inline std::map<std::string, std::string> results(const std::string& folder) {
 }
 
 inline void write_summary_of(const Scene& scene, const std::string& folder, const RunOutcome& outcome) {
-  write_summary(folder, scene, outcome.state, outcome.facts);
+  write_summary(folder, scene, outcome);
 }
 
 inline void expect_same_results(const std::string& folder, const std::string& reference) {

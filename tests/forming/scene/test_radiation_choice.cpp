@@ -206,7 +206,7 @@ TEST(RadiationChoice, a_run_says_its_model_and_has_the_bits_of_a_run_with_that_m
     Scene scene = read_scene(write_scene(text), "draft coarser 2", overrides);
     const RunOutcome outcome = run_in_folder(scene, folder);
     EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
-    const Summary summary = write_summary(folder, scene, outcome.state, outcome.facts);
+    const Summary summary = write_summary(folder, scene, outcome);
     return Told{scene, summary_table(scene, outcome.state, summary),
                 core::read_json(core::read_text(folder + "/summary.json"), "summary")};
   };

@@ -28,7 +28,7 @@ TEST(Accuracy, bars_of_a_small_scene_hold_the_error_against_a_finer_run) {
   const auto results = [&](const char* accuracy, const std::string& directory, ErrorBars* bars) {
     const Scene scene = bundled("shell_inflation", accuracy, {"numerics.strain_per_step=0.04"});
     const RunOutcome outcome = run_in_folder(scene, directory);
-    const Summary summary = write_summary(directory, scene, outcome.state, outcome.facts);
+    const Summary summary = write_summary(directory, scene, outcome);
     if (bars) {
       const auto coarse = coarse_cases(scene, directory);
       EXPECT_EQ(coarse.size(), coarser_factors.size());

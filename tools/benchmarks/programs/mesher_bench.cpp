@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   };
   const auto scene = forming::read_scene(argv[1], argv[2], {argv + 6, argv + argc});
   const auto outcome = forming::run_in_folder(scene, argv[3], {}, {}, mesher);
-  forming::write_summary(argv[3], scene, outcome.state, outcome.facts);
+  forming::write_summary(argv[3], scene, outcome);
   if (!outcome.facts.completed) std::fprintf(stderr, "mesher_bench: %s\n", outcome.facts.reason.c_str());
   return outcome.facts.completed ? 0 : 1;
 }

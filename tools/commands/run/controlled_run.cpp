@@ -87,7 +87,7 @@ Attempt attempt(const RunRequest& request, const AccuracyControl& control, const
   Scene scene = forming::read_scene(request.case_path, control.accuracy(), request.overrides);
   Console console;
   RunOutcome outcome = forming::run_in_folder(scene, output, {&console}, stop_requested);
-  auto summary = forming::write_summary(output, scene, outcome.state, outcome.facts);
+  auto summary = forming::write_summary(output, scene, outcome);
   return {std::move(scene), std::move(outcome), std::move(summary)};
 }
 

@@ -78,21 +78,14 @@ bool report_errors(const Scene& scene, const RunOutcome& outcome, const std::str
   return true;
 }
 
-/// Writes and prints the wall of a container in space.
-void report_solid(const Scene& scene, const forming::SolidState& solid, const std::string& output) {
-  const forming::SolidWall wall = forming::solid_wall(solid);
-  forming::write_solid_summary(scene, output, solid, wall);
-  fmt::print("{}", forming::solid_table(scene, solid, wall));
-}
-
 /// Writes the summary of a run and prints how it ended; its coarser runs are null where no error bars are wanted.
 int report(const Scene& scene, const RunOutcome& outcome, const RunRequest& request, const std::string& output,
            CoarseRuns* coarser) {
   const auto& facts = outcome.facts;
   if (!facts.completed) fmt::print(stderr, "parison: the run stopped in {}\n", facts.reason);
-  auto summary = forming::write_summary(output, scene, outcome.state, facts);
+  auto summary = forming::write_summary(output, scene, outcome);
   fmt::print("\n{}", summary_table(scene, outcome.state, summary));
-  if (outcome.solid) report_solid(scene, *outcome.solid, output);
+  if (outcome.solid) fmt::print("{}", forming::solid_table(scene, *outcome.solid, forming::solid_wall(*outcome.solid)));
   if (facts.completed && !coarser)
     fmt::print("  {:<22}not estimated; --error-bars runs the case twice more, coarser, for about half its CPU time\n",
                "errors");

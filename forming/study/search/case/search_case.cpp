@@ -10,7 +10,6 @@
 #include "core/io/files.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/report/files/case_copy.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
@@ -117,7 +116,6 @@ std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen:
 void check_corners(const SearchCase& search) {
   constexpr std::size_t most_corners = 1024, most_told = 8;
   const Scene base = read_scene(search.case_path, search.accuracy, search.overrides);
-  require_round_glass(base, "a search");
   const std::size_t count = search.variables.size();
   const std::size_t corners = count < 10 ? std::size_t(1) << count : most_corners;
   Eigen::VectorXd at(static_cast<Eigen::Index>(count));

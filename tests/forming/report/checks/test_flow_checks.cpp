@@ -83,7 +83,7 @@ boundary = [{{ name = "equator", path = "(5, 0) (20, 0) mm", condition = "symmet
     const auto& all = outcome.facts.checks;
     const auto check =
         std::find_if(all.begin(), all.end(), [](const Check& one) { return one.name == "flow_resolution"; });
-    const double off = write_summary(folder, scene, outcome.state, outcome.facts).thickness.mean / wall - 1;
+    const double off = write_summary(folder, scene, outcome).thickness.mean / wall - 1;
     std::printf("%d divisions: wall off by %.4f, flow_resolution %.4f\n", divisions, off, check->value);
     return std::pair{off, check->verdict()};
   };

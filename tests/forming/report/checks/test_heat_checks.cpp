@@ -48,7 +48,7 @@ TEST(Checks, heat_through_cells_that_do_not_resolve_the_skin_is_told_with_the_si
   EXPECT_EQ(skin->verdict(), Verdict::not_trustworthy);
   EXPECT_NE(skin->sentence.find("at the contact with plate"), std::string::npos);
   EXPECT_FALSE(trustworthy(all));
-  write_summary(folder, scene, outcome.state, outcome.facts);
+  write_summary(folder, scene, outcome);
   const std::string mark = core::read_text(folder + "/NOT_TRUSTWORTHY.txt");
   EXPECT_NE(mark.find("thermal_skin is "), std::string::npos) << mark;
   const std::string summary = core::read_text(folder + "/summary.json");

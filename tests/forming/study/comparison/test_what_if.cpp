@@ -59,7 +59,7 @@ class WhatIfTest : public ::testing::Test {
   RunOutcome run_whole(const std::string& name, const std::vector<std::string>& overrides = {}) const {
     const Scene made = scene(overrides);
     const RunOutcome outcome = run_in_folder(made, in(name));
-    write_summary(in(name), made, outcome.state, outcome.facts);
+    write_summary(in(name), made, outcome);
     return outcome;
   }
 };
@@ -132,7 +132,7 @@ TEST_F(WhatIfTest, a_run_from_a_branch_is_the_changed_case_run_whole_to_the_last
   const Scene changed = scene({longer});
   make_branch({"longer", in("longer"), coarse, changed.overrides, BranchPoint{in("base"), "press"}, ""}, folder);
   const RunOutcome branch = resume_in_folder(changed, in("longer"));
-  write_summary(in("longer"), changed, branch.state, branch.facts);
+  write_summary(in("longer"), changed, branch);
   const RunOutcome whole = run_whole("whole", {longer});
   ASSERT_TRUE(branch.facts.completed) << branch.facts.reason;
   EXPECT_EQ(fingerprint(branch.state), fingerprint(whole.state));
@@ -221,7 +221,7 @@ TEST_F(WhatIfTest, a_twin_has_tools_a_little_warmer_and_nothing_else) {
   EXPECT_NEAR((twin.tools[0].temperature - before.tools[0].temperature).minCoeff(), twin_warmer, 1e-9);
   EXPECT_EQ(twin.glass.temperature, before.glass.temperature);
   const RunOutcome outcome = resume_in_folder(scene(), in("base/twin_after_press"));
-  write_summary(in("base/twin_after_press"), scene(), outcome.state, outcome.facts);
+  write_summary(in("base/twin_after_press"), scene(), outcome);
   const FinishedRun base = read_finished_run(in("base"));
   ASSERT_EQ(base.twins.size(), 1u);
   EXPECT_EQ(base.twins[0].stages, 1u);
