@@ -9,6 +9,7 @@
 
 #include "core/io/json.hpp"
 #include "core/io/written_files.hpp"
+#include "core/solid/cell_table.hpp"
 #include "forming/report/wall/solid_picture.hpp"
 #include "thermal/properties.hpp"
 
@@ -20,6 +21,19 @@ constexpr const char* folder_name = "/solid";
 
 double celsius(double kelvin) {
   return kelvin - thermal::content_reference;
+}
+
+/// Mean temperature of the glass by mass, K.
+double mean_temperature(const SolidState& solid) {
+  const core::CellTable& table = core::hexahedron_table();
+  Eigen::VectorXd local(table.nodes());
+  double sum = 0;
+  for (std::size_t c = 0; c < solid.glass.mesh.cells.size(); ++c) {
+    const auto& cell = solid.glass.mesh.cells[c];
+    for (Index n = 0; n < table.nodes(); ++n) local[n] = solid.glass.temperature[cell[static_cast<std::size_t>(n)]];
+    sum += solid.point_mass.segment(static_cast<Index>(c) * table.points(), table.points()).dot(table.shape * local);
+  }
+  return sum / solid.point_mass.sum();
 }
 
 std::vector<std::string> body_names(const Scene& scene, const SolidState& solid) {
@@ -112,8 +126,8 @@ std::string SolidFiles::file(std::size_t body, std::size_t output) const {
 }
 
 void SolidFiles::row(const State& clock, const SolidState& solid) {
-  const double mean = solid.glass.temperature.mean();
-  history_.append(fmt::format("{:.9g},{},{:.6g},{},{:.3f},{:.3f},{:.3f},{:.3g},{:.8g},{:.8g}\n", clock.time,
+  const double mean = mean_temperature(solid);
+  history_.append(fmt::format("{:.12g},{},{:.6g},{},{:.3f},{:.3f},{:.3f},{:.3g},{:.8g},{:.8g}\n", clock.time,
                               scene_.stages[clock.stage].name, solid.last_step, solid.totals.steps, celsius(mean),
                               celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()),
                               solid.totals.volume_error, solid.totals.to_tools / solid.share,
@@ -188,7 +202,7 @@ std::string solid_table(const Scene& scene, const SolidState& solid, const Solid
     return fmt::format("{:.2f} mm at x {:.1f}, y {:.1f}, z {:.1f} mm", 1e3 * at.thickness, 1e3 * at.at[0],
                        1e3 * at.at[1], 1e3 * at.at[2]);
   };
-  const double mean = solid.glass.temperature.mean();
+  const double mean = mean_temperature(solid);
   std::string text = fmt::format("  the glass in space, a sector of {:.0f} deg\n", scene.solid->sector * 180 / M_PI);
   text += fmt::format("  {:<22}{} cells, {} steps, {} rejected\n", "mesh", solid.glass.mesh.cell_count(),
                       solid.totals.steps, solid.totals.rejected);
@@ -197,7 +211,7 @@ std::string solid_table(const Scene& scene, const SolidState& solid, const Solid
   text += fmt::format("  {:<22}{}\n", "thickest", place(wall.thickest));
   text += fmt::format("  {:<22}{:.1f} ml to the rim\n", "capacity", 1e6 * wall.capacity);
   text += fmt::format("  {:<22}{:.1f} % of the outer side within 0.2 mm\n", "near tools", 100 * wall.near_tools);
-  text += fmt::format("  {:<22}{:.0f} degC in the mean of its nodes, {:.0f} to {:.0f}\n", "glass", celsius(mean),
+  text += fmt::format("  {:<22}{:.0f} degC in the mean, {:.0f} to {:.0f}\n", "glass", celsius(mean),
                       celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()));
   text += fmt::format("  {:<22}{:.4g} kJ to tools, {:.3g} kJ to air\n", "heat",
                       1e-3 * solid.totals.to_tools / solid.share, 1e-3 * solid.totals.to_air / solid.share);
