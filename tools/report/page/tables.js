@@ -22,6 +22,7 @@ function quantityPart(runs) {
     return part(
       "quantities",
       "Quantities",
+      spaceTable(runs),
       element("p", { class: "soft" }, "They are known when a run has come to its end."),
     );
   const bars = runs.some((run) => Object.values(of(run)).some((one) => one.error > 0));
@@ -32,6 +33,8 @@ function quantityPart(runs) {
   return part(
     "quantities",
     "Quantities",
+    spaceTable(runs),
+    inSpaceNote(runs, "The following are quantities of the parison"),
     table(
       ["quantity", ...runs.flatMap((run) => [headingOf(run), "model"].map(number)), "unit"],
       names.map((name) => {
@@ -45,7 +48,29 @@ function quantityPart(runs) {
     ),
     element("p", {}, element("small", {}, note)),
     element("p", {}, element("small", {}, modelNote(runs))),
-    inSpaceNote(runs, "These are quantities of the parison"),
+  );
+}
+
+/** The containers of runs that end in space, by their summaries. */
+function spaceTable(all) {
+  const runs = all.filter((run) => run.space && run.space.summary);
+  if (!runs.length) return null;
+  const rows = [
+    ["thinnest wall", "mm", (of) => of.thinnest && of.thinnest.thickness_mm],
+    ["thickest wall", "mm", (of) => of.thickest && of.thickest.thickness_mm],
+    ["wall, mean by area", "mm", (of) => of.mean_thickness_mm],
+    ["capacity to the rim", "ml", (of) => of.capacity_ml],
+    ["outside within 0.2 mm of tools", "%", (of) => 100 * of["outer_within_0.2mm_of_tools"]],
+    ["heat to the tools, in space", "kJ", (of) => of.heat_to_tools_J / 1000],
+    ["heat to the air, in space", "kJ", (of) => of.heat_to_air_J / 1000],
+  ];
+  return element(
+    "div",
+    {},
+    table(
+      ["container", ...runs.map((run) => number(runs.length > 1 ? run.name : "value")), "unit"],
+      rows.map(([name, unit, of]) => [name, ...runs.map((run) => number(figure(of(run.space.summary)))), unit]),
+    ),
   );
 }
 
@@ -64,7 +89,7 @@ function modelNote(runs) {
 }
 
 /** What `parison compare` says of the other runs beside the first. */
-function differencePart(differences) {
+function differencePart(differences, runs) {
   if (!differences) return null;
   const { base, others } = differences,
     verdictClass = { real: "good", "within its error": "soft" };

@@ -15,22 +15,66 @@ const spaceFields = {
 const sideNames = ["inside", "outside", "rim", "cut", "cut"];
 const [insideFaces, outsideFaces, rimFaces, firstPlane, lastPlane] = [0, 1, 2, 3, 4];
 
-/** The faces of one surface mesh by their side: nodes of eight triangles for each face of nine nodes. */
+/** Beyond so many nodes faces are fine enough as they are. */
+const mostRefined = 8000;
+
+/** Shares of the three nodes of a quadratic line at its quarters. */
+const quarterShares = [
+  [1, 0, 0],
+  [0.375, 0.75, -0.125],
+  [0, 1, 0],
+  [-0.125, 0.75, 0.375],
+  [0, 0, 1],
+];
+
+/** The faces of one surface by their side as triangles. A face of nine nodes is quadratic: that its roundings show, it
+ * gets the places at its quarters as further nodes, whose values lie between those beside them. */
 class SpaceMesh {
   constructor(json, buffer) {
-    this.nodes = json.nodes;
+    this.nodes = this.own = json.nodes;
     this.faces = new Uint16Array(buffer, json.at, 9 * json.faces);
     this.sides = new Uint16Array(buffer, json.sides, json.faces);
+    this.added = []; // {nodes of a face, shares, nodes beside}
+    this.across = this.own <= mostRefined ? 5 : 3;
+    const known = new Map();
+    this.grids = Array.from(this.sides, (_, face) => this.gridOf(this.faces.subarray(9 * face, 9 * face + 9), known));
+    this.nodes = this.own + this.added.length;
     this.triangles = sideNames.map((_, side) => this.trianglesOf(side));
     this.nodesOf = this.triangles.map((triangles) => Uint16Array.from(new Set(triangles)));
+    this.lines = new Map();
+  }
+
+  /** The nodes of a face in rows. */
+  gridOf(face, known) {
+    if (this.across === 3) return face;
+    const grid = new Uint16Array(25);
+    for (let j = 0; j < 5; ++j)
+      for (let i = 0; i < 5; ++i) {
+        const beside = [Math.floor, Math.ceil].flatMap((v) =>
+          [Math.floor, Math.ceil].map((u) => face[u(i / 2) + 3 * v(j / 2)]),
+        );
+        // Faces that share an edge share what is added on it.
+        const key = i % 4 && j % 4 ? null : [...new Set(beside)].sort().join();
+        if (i % 2 === 0 && j % 2 === 0) grid[i + 5 * j] = beside[0];
+        else grid[i + 5 * j] = known.get(key) ?? this.add(face, i, j, beside);
+        if (key) known.set(key, grid[i + 5 * j]);
+      }
+    return grid;
+  }
+
+  add(nodes, i, j, beside) {
+    const shares = Array.from(nodes, (_, k) => quarterShares[i][k % 3] * quarterShares[j][Math.floor(k / 3)]);
+    return this.own + this.added.push({ nodes, shares, beside }) - 1;
   }
 
   trianglesOf(side) {
-    const triangles = [];
+    const triangles = [],
+      n = this.across;
     this.sides.forEach((of, face) => {
       if (of !== side) return;
-      for (const corner of [0, 1, 3, 4]) {
-        const [a, b, c, d] = [0, 1, 4, 3].map((step) => this.faces[9 * face + corner + step]);
+      for (let at = 0; at < n * (n - 1); ++at) {
+        if (at % n === n - 1) continue;
+        const [a, b, c, d] = [0, 1, n + 1, n].map((step) => this.grids[face][at + step]);
         triangles.push(a, b, c, a, c, d);
       }
     });
@@ -39,7 +83,6 @@ class SpaceMesh {
 
   /** Edges of the faces of a side as pairs of nodes; with `once` those of one face alone. */
   linesOf(side, once) {
-    this.lines ??= new Map();
     const key = `${side} ${once}`;
     if (!this.lines.has(key)) this.lines.set(key, Uint16Array.from(this.edgesOf(side, once)));
     return this.lines.get(key);
@@ -47,23 +90,44 @@ class SpaceMesh {
 
   edgesOf(side, once) {
     const seen = new Map(),
-      lines = [
-        [0, 1, 2],
-        [6, 7, 8],
-        [0, 3, 6],
-        [2, 5, 8],
-      ];
+      n = this.across;
     this.sides.forEach((of, face) => {
       if (of !== side) return;
-      for (const line of lines) {
-        const nodes = line.map((i) => this.faces[9 * face + i]),
-          found = seen.get(nodes[1]);
+      for (const [first, step] of [
+        [0, 1],
+        [n * (n - 1), 1],
+        [0, n],
+        [n - 1, n],
+      ]) {
+        const nodes = Array.from({ length: n }, (_, i) => this.grids[face][first + i * step]),
+          middle = nodes[(n - 1) / 2],
+          found = seen.get(middle);
         if (found) found.count += 1;
-        else seen.set(nodes[1], { nodes, count: 1 });
+        else seen.set(middle, { nodes, count: 1 });
       }
     });
     const edges = [...seen.values()].filter((edge) => !once || edge.count === 1);
-    return edges.flatMap(({ nodes: [a, b, c] }) => [a, b, b, c]);
+    return edges.flatMap(({ nodes }) => nodes.slice(1).flatMap((node, i) => [nodes[i], node]));
+  }
+
+  /** Places with those of the added nodes, in one direction. */
+  withPlaces(list) {
+    const all = new Float32Array(this.nodes);
+    all.set(list);
+    this.added.forEach(({ nodes, shares }, i) => {
+      for (let k = 0; k < 9; ++k) all[this.own + i] += shares[k] * list[nodes[k]];
+    });
+    return all;
+  }
+
+  /** Values with those of the added nodes. */
+  withValues(list) {
+    const all = new Float32Array(this.nodes);
+    all.set(list);
+    this.added.forEach(({ beside }, i) => {
+      for (const node of beside) all[this.own + i] += list[node] / 4;
+    });
+    return all;
   }
 }
 
@@ -145,11 +209,13 @@ class SpaceFilm {
 class SpaceFrame {
   constructor(film, json) {
     Object.assign(this, { film, json, t: json.t, mesh: film.meshes[json.mesh] });
-    const nodes = this.mesh.nodes,
-      packed = new Uint16Array(film.buffer, json.points, 3 * nodes),
+    const { nodes, own } = this.mesh,
+      packed = new Uint16Array(film.buffer, json.points, 3 * own),
       step = film.box[3];
     const places = [0, 1, 2].map((k) =>
-      Float32Array.from(packed.subarray(k * nodes, (k + 1) * nodes), (word) => film.box[k] + step * word),
+      this.mesh.withPlaces(
+        Float32Array.from(packed.subarray(k * own, (k + 1) * own), (word) => film.box[k] + step * word),
+      ),
     );
     [this.x, this.y, this.z] = places;
     if (film.up < 0) for (const list of [this.y, this.z]) list.forEach((value, i) => (list[i] = -value));
@@ -168,9 +234,8 @@ class SpaceFrame {
     if (!field) return null;
     const [at, low, high] = field,
       [Packed, most] = name === "thickness" ? [Uint16Array, 65535] : [Uint8Array, 255];
-    return (this.read[name] ??= Float32Array.from(
-      new Packed(this.film.buffer, at, this.mesh.nodes),
-      (word) => low + ((high - low) * word) / most,
+    return (this.read[name] ??= this.mesh.withValues(
+      Float32Array.from(new Packed(this.film.buffer, at, this.mesh.own), (word) => low + ((high - low) * word) / most),
     ));
   }
 

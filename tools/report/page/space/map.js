@@ -36,7 +36,7 @@ class WallMap {
       ),
       this.reading,
       element("div", { class: "panel legend" }, this.scale, tickOf(part, "all around", "around")),
-      element("small", { class: "soft" }, "A click chooses height and angle of the sections."),
+      element("small", { class: "soft hint" }, "A click chooses height and angle of the sections."),
     );
   }
 
@@ -188,8 +188,8 @@ class WallMap {
   /** The place of the map under the pointer: {angle, height, wall}; nothing beside the wall. */
   placeAt(event) {
     if (!this.raster) return null;
-    const [x, y] = pixelOf(this.canvas, event),
-      at = Math.floor(y) * this.raster.width + Math.floor(x);
+    const [x, y] = pixelOf(this.canvas, event).map((one) => Math.floor(one) + 0.5),
+      at = (y - 0.5) * this.raster.width + x - 0.5;
     if (!this.raster.bodies[at]) return null;
     return { angle: this.at.angle(x), height: this.at.height(y), wall: this.raster.values[at] };
   }

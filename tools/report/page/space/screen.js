@@ -113,7 +113,7 @@ class SpaceScreen {
         " ",
         element("button", { onclick: () => this.look(0, 0) }, "Side"),
       ),
-      element("small", { class: "soft" }, "Drag to turn; with shift, move. The wheel zooms after a click."),
+      element("small", { class: "soft hint" }, "Drag to turn; with shift, move. The wheel zooms after a click."),
     ];
   }
 

@@ -14,7 +14,6 @@ class WallSections {
     this.part = part;
     const { state, frame } = part,
       corner = cornerAngle(frame);
-    this.degrees = (part.film.sector * 180) / Math.PI;
     state.height ??= 0.5 * (frame.top - frame.bottom);
     state.angle ??= corner == null ? 0 : (corner * 180) / Math.PI;
     const canvas = (label, draw, click) =>
@@ -64,6 +63,11 @@ class WallSections {
       ),
       this.reading,
     );
+  }
+
+  /** Of the sector. */
+  get degrees() {
+    return (this.part.film.sector * 180) / Math.PI;
   }
 
   slider(key, label) {
