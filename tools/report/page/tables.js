@@ -144,7 +144,7 @@ function spaceFacts({ space }) {
   const { summary } = space,
     frame = space.at(space.times.length - 1),
     thin = frame.extreme(),
-    mean = frame.meanWall(),
+    mean = space.meanWall(space.times.length - 1),
     share = summary && summary["outer_within_0.2mm_of_tools"];
   return [
     [

@@ -167,6 +167,12 @@ class SpaceFilm {
     return nearestOf(this.times, time);
   }
 
+  /** Mean wall of an output by area: of the last one that of the run's own summary, where that is there. */
+  meanWall(index) {
+    const known = index === this.times.length - 1 && this.summary ? this.summary.mean_thickness_mm : NaN;
+    return Number.isFinite(known) ? known : this.at(index).meanWall();
+  }
+
   /** Lowest and highest value of a field over all outputs. */
   range(name) {
     const ranges = this.frames.map((frame) => frame[name]).filter((field) => field);
@@ -271,12 +277,14 @@ class SpaceFrame {
     return { node, x, y, z, height: z - this.bottom, angle: this.angleOf(x, y) };
   }
 
-  /** Mean wall by area of the outer side. */
+  /** Mean wall by area of the outer side; quadratic on a face, as the run's own. */
   meanWall() {
-    const wall = this.values("thickness"),
+    const values = this.values("thickness"),
       triangles = this.mesh.triangles[outsideFaces];
+    if (!values) return NaN;
+    const wall = this.mesh.withPlaces(values.subarray(0, this.mesh.own));
     let [sum, whole] = [0, 0];
-    for (let i = 0; wall && i < triangles.length; i += 3) {
+    for (let i = 0; i < triangles.length; i += 3) {
       const [a, b, c] = triangles.subarray(i, i + 3),
         area = Math.hypot(...this.across(a, b, c));
       sum += (area * (wall[a] + wall[b] + wall[c])) / 3;

@@ -158,7 +158,7 @@ class WallMap {
     this.facts.replaceChildren(
       element("strong", { class: "thinnest" }, `Thinnest ${spaceFields.thickness.text(thin.value)}`),
       ` ${where(thin)}; thickest ${spaceFields.thickness.text(thick.value)} ${where(thick)}; `,
-      `mean ${spaceFields.thickness.text(this.frame.meanWall())} by area. ${this.part.moment()}`,
+      `mean ${spaceFields.thickness.text(this.part.film.meanWall(this.part.state.index))} by area. ${this.part.moment()}`,
     );
   }
 
