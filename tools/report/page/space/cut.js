@@ -110,16 +110,17 @@ function eachCrossing(from, to, heights, visit) {
   for (let k = first; k <= last; ++k) visit(k, to === from ? 0 : (heights[k] - from) / (to - from));
 }
 
-/** The angle, rad, at which a section that is not round reaches out furthest, where that is inside the sector: its
- * corner; nothing of a round one, or where it is in a plane of symmetry. */
+/** The smallest angle, rad, at which a section that is not round reaches out furthest, where that is inside the sector:
+ * its corner; nothing of a round one, or where it is in a plane of symmetry. */
 function cornerAngle(frame) {
-  const cut = cutAtHeight(frame, 0.5 * (frame.top - frame.bottom)).flat(),
+  const { film } = frame,
+    cut = cutAtHeight(frame, 0.5 * (frame.top - frame.bottom)).flat(),
     outer = cut.filter((point) => point.side === outsideFaces);
   if (outer.length < 3) return null;
-  const radius = (point) => Math.hypot(point.x, point.y),
-    far = outer.reduce((best, one) => (radius(one) > radius(best) ? one : best)),
-    least = Math.min(...outer.map(radius)),
-    angle = frame.film.folded((frame.angleOf(far.x, far.y) * Math.PI) / 180);
-  const inside = angle > 0.03 && angle < frame.film.sector - 0.03;
-  return inside && radius(far) > 1.02 * least ? angle : null;
+  const radii = outer.map((point) => Math.hypot(point.x, point.y)),
+    most = Math.max(...radii),
+    angles = outer.map((point) => film.folded((frame.angleOf(point.x, point.y) * Math.PI) / 180)),
+    angle = Math.min(...angles.filter((_, i) => radii[i] > 0.999 * most));
+  const inside = angle > 0.03 && angle < film.sector - 0.03;
+  return inside && most > 1.02 * Math.min(...radii) ? angle : null;
 }

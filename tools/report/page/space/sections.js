@@ -12,7 +12,9 @@ function strokeLine(context, [x, y], [u, v], more = 0) {
 class WallSections {
   constructor(part, charts) {
     this.part = part;
-    const { state, frame } = part,
+    // Which curves there are does not depend on the moment: at the last one the glass has its shape.
+    const { state, film } = part,
+      frame = film.at(film.times.length - 1),
       corner = cornerAngle(frame);
     state.height ??= 0.5 * (frame.top - frame.bottom);
     state.angle ??= corner == null ? 0 : (corner * 180) / Math.PI;
@@ -42,12 +44,12 @@ class WallSections {
     this.angles = this.slider("angle", "angle");
     this.chart = charts.chart({
       title: "Wall thickness over height",
-      note: "at the moment shown; at an angle that of the side, the thinnest around also that of the base",
+      note: "at the moment shown; at an angle that of the side, thinnest around also that of the base",
       xLabel: "height, mm",
       yLabel: "thickness, mm",
       upright: true,
       height: 460,
-      series: this.series(),
+      series: this.series(frame),
     });
     const column = (title, canvas, ...others) =>
       element("div", { class: "screen" }, element("h3", {}, title), canvas, ...others);
@@ -86,8 +88,8 @@ class WallSections {
   }
 
   /** Thickness over even heights: in the planes of symmetry, at the corner and the chosen angle, thinnest around. */
-  series() {
-    const { frame, state } = this.part,
+  series(frame) {
+    const { state } = this.part,
       count = 120,
       tall = frame.top - frame.bottom,
       heights = Float32Array.from({ length: count }, (_, i) => (tall * (i + 0.5)) / count),
@@ -96,8 +98,9 @@ class WallSections {
     const at = (angle) => (angle == null ? [] : wallOverHeights(cutAtAngle(frame, angle), frame.bottom, heights));
     const one = (label, y, colour, dash = 0) => ({ label, x: heights, y, colour, dash });
     return [
-      one("in the plane at 0°", at(0), 0),
-      ...(degrees < 360 ? [one(`in the plane at ${figure(degrees)}°`, at((degrees * Math.PI) / 180), 2, 1)] : []),
+      one("at 0°", at(0), 0),
+      ...(degrees > 90 ? [one("at 90°", at(Math.PI / 2), 4)] : []),
+      ...(degrees < 360 ? [one(`at ${figure(degrees)}°`, at((degrees * Math.PI) / 180), 2, 1)] : []),
       one("at the corner", at(corner), 3),
       one("thinnest around", thinnestOverHeights(frame, heights), 1, 2),
       one("at the angle chosen", at((state.angle * Math.PI) / 180), 6, 1),
@@ -119,7 +122,7 @@ class WallSections {
     this.pixels = Math.min((0.92 * width) / (2 * frame.radius), (0.9 * height) / tall);
     this.drawAcross(frame, width, height);
     this.drawAlong(frame, width, height);
-    if (this.chart) this.chart.update(this.series());
+    if (this.chart) this.chart.update(this.series(frame));
   }
 
   eachPiece(lines, side, visit) {
