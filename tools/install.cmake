@@ -18,7 +18,7 @@ install(DIRECTORY tools/workbench/page DESTINATION share/parison/tools/workbench
 install(DIRECTORY tools/new_container/templates DESTINATION share/parison/tools/new_container)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/parison)
 install(FILES LICENSE DESTINATION share/doc/parison RENAME copyright)
-install(FILES tools/written_files.py DESTINATION share/parison/tools)
+install(FILES tools/solid_view.py tools/written_files.py DESTINATION share/parison/tools)
 foreach(script ${scripts})
   string(REPLACE "_" "-" command parison-${script})
   file(CREATE_LINK ../share/parison/tools/${script}.py ${CMAKE_BINARY_DIR}/bin/${command} SYMBOLIC)

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the temperature and the mesh of glass and active tools from a result folder, one PNG for each time or a strip."""
+"""Draws the temperature and the mesh of glass and active tools from a result folder, one PNG for each time or a strip; glass in space as it is
+seen."""
 import argparse
 import json
 import sys
@@ -16,6 +17,7 @@ import written_files
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.tri import Triangulation
 from PIL import Image
+from solid_view import SolidGlass
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
@@ -72,6 +74,17 @@ def bodies_at(results, time):
     return found, actual
 
 
+def solid_at(results, time):
+    """The glass in space at the output nearest to a time; nothing before it is in space."""
+    if not (results / "solid/glass.pvd").exists():
+        return None, None
+    entries = collection(results / "solid", "glass")
+    if not entries or time <= entries[0][0] + 1e-9:
+        return None, None
+    actual, path = min(entries, key=lambda entry: abs(entry[0] - time))
+    return SolidGlass(path), actual
+
+
 def limits(bodies):
     values = [body.temperature for body in bodies if body.temperature is not None]
     if not values:
@@ -117,7 +130,22 @@ def is_upright(results, time):
     return next((stage for stage in stages if time <= stage["end_s"] + 1e-9), stages[-1]).get("upright", True)
 
 
+def draw_solid(solid, time, title, path):
+    """The container as it is seen, with the colours of its surface."""
+    figure, axes = plt.subplots(figsize=(7, 7.5), dpi=100, layout="constrained")
+    image = solid.draw(axes, GLASS_MAP, limits([solid]))
+    axes.autoscale_view()
+    without_axes(axes)
+    axes.set_title(f"{title}   t = {time:.4g} s")
+    figure.colorbar(image, ax=axes, label="glass, °C", fraction=0.04, pad=0.02)
+    save(figure, path, 256)
+
+
 def draw(results, time, title, mirrored, path):
+    solid, actual = solid_at(results, time)
+    if solid:
+        draw_solid(solid, actual, title, path)
+        return
     bodies, actual = bodies_at(results, time)
     tools = {name: body for name, body in bodies.items() if name != "glass"}
     (left, right), (bottom, top) = window(bodies, mirrored)
@@ -165,26 +193,43 @@ def strip_panel(axes, bodies, spans, turned):
         images[not glass] = image or images[not glass]
     if turned:
         axes.invert_yaxis()
+    without_axes(axes)
+    return images
+
+
+def solid_panel(axes, solid, span):
+    """The container in space, its mouth up."""
+    image = solid.draw(axes, GLASS_MAP, span)
+    without_axes(axes)
+    return [image, None]
+
+
+def without_axes(axes):
     axes.set(aspect="equal", xticks=[], yticks=[])
     for side in axes.spines.values():
         side.set_visible(False)
-    return images
 
 
 def draw_strip(results, stages, path):
     """The ends of all stages side by side on one scale, as the glass stands, the right half of each with its mesh."""
-    shown = [bodies_at(results, stage["end_s"])[0] for stage in stages]
-    spans = [limits([b["glass"] for b in shown]), limits([t for b in shown for n, t in b.items() if n != "glass"])]
-    right = 1.02 * max(t.points[:, 0].max() for b in shown for t in b.values())
-    bottoms, tops = (f(b["glass"].points[:, 1].min() if f is min else b["glass"].points[:, 1].max() for b in shown)
-                     for f in (min, max))
-    bottom, top = bottoms - 0.25 * right, tops + 0.45 * right
+    shown = [solid_at(results, stage["end_s"])[0] or bodies_at(results, stage["end_s"])[0] for stage in stages]
+    solids, sections = ([one for one in shown if isinstance(one, SolidGlass) is wanted] for wanted in (True, False))
+    spans = [limits([b["glass"] for b in sections] + solids), limits([t for b in sections for n, t in b.items() if n != "glass"])]
+    right = 1.02 * max([t.points[:, 0].max() for b in sections for t in b.values()] + [1.2 * solid.radius for solid in solids])
+    heights = [(b["glass"].points[:, 1].min(), b["glass"].points[:, 1].max()) for b in sections] + [solid.range for solid in solids]
+    bottom, top = min(low for low, _ in heights) - 0.25 * right, max(high for _, high in heights) + 0.45 * right
     width = 1.75
     figure, row = plt.subplots(1, len(stages), figsize=(width * len(stages) + 1.6, width * (top - bottom) / (2 * right) + 0.5),
                                dpi=90, layout="constrained", squeeze=False)
+    images = [None, None]
     for axes, bodies, stage in zip(row[0], shown, stages):
-        axes.set(xlim=(-right, right), ylim=(bottom, top))
-        images = strip_panel(axes, bodies, spans, not stage.get("upright", True))
+        if isinstance(bodies, SolidGlass):
+            axes.set(xlim=(-right, right), ylim=(bottom, top) if bodies.up > 0 else (-top, -bottom))
+            found = solid_panel(axes, bodies, spans[0])
+        else:
+            axes.set(xlim=(-right, right), ylim=(bottom, top))
+            found = strip_panel(axes, bodies, spans, not stage.get("upright", True))
+        images = [one or other for one, other in zip(found, images)]
         axes.set_title(f"{stage['name']}  {stage['end_s']:.2f} s", fontsize=10)
     for image, label in zip(images[::-1], ("tools, °C", "glass, °C")):
         if image is not None:

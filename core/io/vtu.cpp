@@ -73,7 +73,7 @@ GridView view_of(const HexMesh& mesh) {
           mesh.nodes.front().data(),
           mesh.node_count(),
           VTK_TRIQUADRATIC_HEXAHEDRON,
-          {0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22, 13},
+          {vtu_order_of_hex().begin(), vtu_order_of_hex().end()},
           mesh.cells.front().data(),
           mesh.cell_count()};
 }
@@ -144,6 +144,12 @@ void add_fields(const GridView& mesh, const VtuFields& fields, vtkUnstructuredGr
 }
 
 }  // namespace
+
+const std::array<int, HexMesh::nodes_per_cell>& vtu_order_of_hex() {
+  static const std::array<int, HexMesh::nodes_per_cell> order{0,  2,  8, 6,  18, 20, 26, 24, 1,  5,  7, 3,  19, 23,
+                                                              25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22, 13};
+  return order;
+}
 
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& field
 /// The same of meshes in space: hexahedra with 27 nodes, prisms with 18.
 void write_vtu(const std::string& path, const HexMesh& mesh, const VtuFields& fields);
 void write_vtu(const std::string& path, const PrismMesh& mesh, const VtuFields& fields);
+
+/// Of the 27 nodes of a hexahedron in a .vtu file, which of HexMesh::cells each is.
+const std::array<int, HexMesh::nodes_per_cell>& vtu_order_of_hex();
 
 /// A ParaView collection (.pvd): the files of a time series. It is written whole at each addition, so that it can be
 /// opened during a run.

@@ -22,9 +22,11 @@ namespace parison::tools {
 namespace {
 
 /// In the order in which one needs the other.
-constexpr const char* scripts[] = {"elements.js", "colours.js", "data.js",       "raster.js",      "section.js",
-                                   "film.js",     "charts.js",  "figures.js",    "polariscope.js", "machine.js",
-                                   "tables.js",   "search.js",  "production.js", "main.js"};
+constexpr const char* scripts[] = {
+    "elements.js",    "colours.js",  "data.js",       "raster.js",       "section.js",   "player.js",
+    "film.js",        "charts.js",   "figures.js",    "polariscope.js",  "machine.js",   "space/data.js",
+    "space/cut.js",   "space/gl.js", "space/view.js", "space/screen.js", "space/map.js", "space/sections.js",
+    "space/space.js", "tables.js",   "search.js",     "production.js",   "main.js"};
 
 std::string page_file(const std::string& name) {
   const auto path = shared_file("tools/report/page/" + name);

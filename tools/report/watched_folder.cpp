@@ -42,7 +42,8 @@ PageAnswer WatchedFolder::answer(const std::string& target, const std::string& a
 
 std::string WatchedFolder::stamp() const {
   std::string text;
-  for (const char* name : {"history.csv", "glass.pvd", "summary.json", "case/command.txt"}) {
+  for (const char* name : {"history.csv", "glass.pvd", "summary.json", "case/command.txt", "solid/history.csv",
+                           "solid/glass.pvd", "solid/summary.json"}) {
     std::error_code missing;
     const fs::path file = fs::path(path_) / name;
     const auto size = fs::file_size(file, missing);

@@ -119,8 +119,8 @@ std::string SolidFiles::file(std::size_t body, std::size_t output) const {
 }
 
 void SolidFiles::row(const State& clock, const SolidState& solid) {
-  const double mean = solid.glass.temperature.mean();
-  history_.append(fmt::format("{:.9g},{},{:.6g},{},{:.3f},{:.3f},{:.3f},{:.3g},{:.8g},{:.8g}\n", clock.time,
+  const double mean = mean_temperature(solid);
+  history_.append(fmt::format("{:.12g},{},{:.6g},{},{:.3f},{:.3f},{:.3f},{:.3g},{:.8g},{:.8g}\n", clock.time,
                               scene_.stages[clock.stage].name, solid.last_step, solid.totals.steps, celsius(mean),
                               celsius(solid.glass.temperature.minCoeff()), celsius(solid.glass.temperature.maxCoeff()),
                               solid.totals.volume_error, solid.totals.to_tools / solid.share,

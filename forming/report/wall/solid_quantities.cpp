@@ -17,19 +17,6 @@ Point in_plane(const core::Vector3& at) {
   return {std::hypot(at[0], at[1]), at[2]};
 }
 
-/// By mass, K.
-double mean_temperature(const SolidState& solid) {
-  const core::CellTable& table = core::hexahedron_table();
-  const core::CellList cells = core::cell_list(solid.glass.mesh, table);
-  double sum = 0;
-  Eigen::VectorXd nodal(table.nodes());
-  for (Index c = 0; c < cells.count; ++c) {
-    for (Index i = 0; i < table.nodes(); ++i) nodal[i] = solid.glass.temperature[cells.cell(c)[i]];
-    sum += (table.shape * nodal).dot(solid.point_mass.segment(c * table.points(), table.points()));
-  }
-  return sum / solid.point_mass.sum();
-}
-
 /// Thickness, mm, at even shares of the arc of each meridian.
 std::vector<double> profile_of(const SolidState& solid, const SolidWall& wall) {
   constexpr int meridians = 3, places = (profile_points - meridians + 1) / meridians;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/solid/cell_table.hpp"
 #include "core/solid/hex_geometry.hpp"
 #include "thermal/properties.hpp"
 
@@ -105,6 +106,18 @@ SolidWall solid_wall(const SolidState& solid) {
   wall.capacity = inside_of(solid) / solid.share;
   wall.mean = sum / area;
   return wall;
+}
+
+double mean_temperature(const SolidState& solid) {
+  const core::CellTable& table = core::hexahedron_table();
+  Eigen::VectorXd local(table.nodes());
+  double sum = 0;
+  for (std::size_t c = 0; c < solid.glass.mesh.cells.size(); ++c) {
+    const auto& cell = solid.glass.mesh.cells[c];
+    for (Index n = 0; n < table.nodes(); ++n) local[n] = solid.glass.temperature[cell[static_cast<std::size_t>(n)]];
+    sum += solid.point_mass.segment(static_cast<Index>(c) * table.points(), table.points()).dot(table.shape * local);
+  }
+  return sum / solid.point_mass.sum();
 }
 
 std::string solid_wall_csv(const SolidWall& wall) {

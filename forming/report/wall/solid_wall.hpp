@@ -26,6 +26,9 @@ struct SolidWall {
 };
 SolidWall solid_wall(const SolidState& solid);
 
+/// Mean temperature of glass in space by mass, K.
+double mean_temperature(const SolidState& solid);
+
 /// As a file for spreadsheets.
 std::string solid_wall_csv(const SolidWall& wall);
 

@@ -56,17 +56,41 @@ void add_row(ResultTable& table, const std::vector<std::string>& cells) {
   }
 }
 
-constexpr const char* in_space_history = "/solid/history.csv";
+double last_time(const ResultFolder& folder) {
+  const auto* times = folder.history.column("time_s");
+  return times && !times->empty() ? times->back() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Appends the steps of glass in space to the history: heat goes on from where round glass ended. Steps of an earlier
+/// run in the same folder, which began at another time, are left out.
+void append_steps_in_space(ResultFolder& folder) {
+  ResultTable& history = folder.history;
+  const ResultTable steps = read_table(folder.path + "/solid/history.csv");
+  const auto *times = steps.column("time_s"), *lengths = steps.column("dt_s");
+  if (!times || !lengths || times->empty() || !starts_where_round_ended(folder, times->front() - lengths->front()))
+    return;
+  for (std::size_t i = 0; i < history.names.size(); ++i) {
+    const int at = steps.find(history.names[i]);
+    const auto from = static_cast<std::size_t>(at);
+    const bool is_sum = history.names[i].rfind("heat_to_", 0) == 0;
+    const double before = is_sum ? history.numbers[i].back() : 0;
+    for (std::size_t row = 0; row < steps.rows(); ++row)
+      history.numbers[i].push_back(at < 0 ? std::numeric_limits<double>::quiet_NaN()
+                                          : before + steps.numbers[from][row]);
+    if (at >= 0 && !history.texts[i].empty())
+      history.texts[i].insert(history.texts[i].end(), steps.texts[from].begin(), steps.texts[from].end());
+    else if (!history.texts[i].empty())
+      history.texts[i].resize(history.numbers[i].size());
+  }
+}
 
 /// A summary is of the whole run where it ends at the same time as the history.
 bool belongs(const Json& summary, const ResultFolder& folder) {
-  const ResultTable in_space = read_table(folder.path + in_space_history);
-  const auto* round = folder.history.column("time_s");
-  const auto* times = in_space.column("time_s") ? in_space.column("time_s") : round;
+  const auto* times = folder.history.column("time_s");
   if (!summary.is_object() || !times || times->empty()) return summary.is_object();
   const auto time = summary.find("time_s");
   return time != summary.end() && time->is_number() &&
-         std::abs(time->get<double>() - times->back()) <= 1e-9 * std::max(1.0, times->back());
+         std::abs(time->get<double>() - times->back()) <= 1e-8 * std::max(1.0, times->back());
 }
 
 std::string text_of(const Json& object, const char* key) {
@@ -94,8 +118,6 @@ void read_state(ResultFolder& folder, const Json& summary) {
     folder.told = "the run ended without a summary, as when it is killed; what it wrote before is shown; " + resume;
   } else if (flag_of(summary, "completed")) {
     folder.state = RunState::completed;
-    if (fs::exists(folder.path + in_space_history))
-      folder.told = "the glass became a body in space, where this page does not follow it: solid/wall.svg shows it";
   } else if (flag_of(summary, "stopped")) {
     folder.state = RunState::stopped;
     folder.told =
@@ -162,6 +184,10 @@ bool is_result_folder(const std::string& path) {
   return fs::is_regular_file(fs::path(path) / "history.csv", unreadable);
 }
 
+bool starts_where_round_ended(const ResultFolder& folder, double time) {
+  return std::abs(time - folder.round_end) <= 1e-6 * std::max(1.0, folder.round_end);
+}
+
 bool is_written(const std::string& path) {
   const int file = ::open((path + "/history.csv").c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
@@ -188,6 +214,8 @@ ResultFolder read_folder(const std::string& path) {
   fs::path place = fs::absolute(path).lexically_normal();
   folder.name = (place.has_filename() ? place : place.parent_path()).filename().string();
   folder.history = read_table(path + "/history.csv");
+  folder.round_end = last_time(folder);
+  append_steps_in_space(folder);
   Json summary;
   if (fs::is_regular_file(path + "/summary.json", unreadable)) {
     const std::string text = core::read_text(path + "/summary.json");

@@ -34,8 +34,9 @@ struct StageSpan {
 /// The folder that a run writes, as far as it has been written.
 struct ResultFolder {
   std::string path, name;
-  ResultTable history;
-  std::string summary;  ///< text of summary.json where it belongs to the last row of the history, else empty
+  ResultTable history;   ///< of round glass, then of glass in space as far as it has the same columns
+  double round_end = 0;  ///< s, of the last step of round glass
+  std::string summary;   ///< text of summary.json where it belongs to the last row of the history, else empty
   RunState state = RunState::ended;
   std::string told;  ///< a sentence on the state: why it stopped, what to do
   std::vector<StageSpan> stages;
@@ -46,6 +47,9 @@ ResultFolder read_folder(const std::string& path);
 
 /// Whether a folder holds the history of a run.
 bool is_result_folder(const std::string& path);
+
+/// Whether glass in space that starts at a time, s, is that of this run and not of an earlier one in its folder.
+bool starts_where_round_ended(const ResultFolder& folder, double time);
 
 /// Whether another process is writing the history of a run just now.
 bool is_written(const std::string& path);

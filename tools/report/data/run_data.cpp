@@ -135,6 +135,25 @@ const SceneOfRun& scene_of(const std::string& folder, ReportCache& cache) {
   return scene;
 }
 
+/// The summary of glass in space; null where it is missing or damaged.
+Json space_summary(const std::string& path) {
+  const std::string file = path + "/solid/summary.json";
+  std::error_code unreadable;
+  if (!std::filesystem::is_regular_file(file, unreadable)) return {};
+  const Json summary = Json::parse(core::read_text(file), nullptr, false);
+  return summary.is_object() ? summary : Json();
+}
+
+/// The film of round glass and that of glass in space, which has up to its share of the budget.
+void pack_films(const ResultFolder& folder, ReportCache& cache, std::size_t budget, Json& run, PackedBytes& bytes,
+                std::vector<std::string>& problems) {
+  const std::size_t before = bytes.size(), budget_in_space = budget / 10 * 7;
+  run["space"] = pack_space_film(folder, cache.surfaces, budget_in_space, bytes, problems);
+  if (!run["space"].is_null() && !folder.summary.empty()) run["space"]["summary"] = space_summary(folder.path);
+  const std::size_t used = std::min(budget_in_space, bytes.size() - before);
+  run["film"] = pack_film(folder, cache.files, budget - used, bytes, problems);
+}
+
 Json run_json(const std::string& path, const std::string& name, std::size_t runs, ReportCache& cache,
               PackedBytes& bytes) {
   ResultFolder folder = read_folder(path);
@@ -160,7 +179,7 @@ Json run_json(const std::string& path, const std::string& name, std::size_t runs
     run["heights"] = pack_table(wall.heights, runs, bytes);
     run["profile"] = pack_table(wall.profile, runs, bytes);
   }
-  run["film"] = pack_film(folder, cache.files, film_budget / runs, bytes, problems);
+  pack_films(folder, cache, film_budget / runs, run, bytes, problems);
   run["problems"] = problems;
   return run;
 }

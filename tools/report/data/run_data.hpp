@@ -7,12 +7,14 @@
 #include "forming/study/comparison/study_folder.hpp"
 #include "tools/report/data/scene_text.hpp"
 #include "tools/report/film/film.hpp"
+#include "tools/report/film/space_film.hpp"
 
 namespace parison::tools {
 
 /// What was read of result folders and does not change while a run goes on.
 struct ReportCache {
-  VtuCache files;
+  FileCache<VtuFile> files{read_vtu};
+  FileCache<SolidSurface> surfaces{read_solid_surface};
   std::map<std::string, std::pair<std::string, SceneOfRun>> scenes;  ///< by folder, with the stamp of the case
 };
 

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/report/film/film.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "core/process/run_error.hpp"
+#include "tools/report/film/kept_outputs.hpp"
 
 namespace parison::tools {
 namespace {
@@ -90,13 +87,6 @@ class Topologies {
   Json list_ = Json::array();
 };
 
-std::size_t nearest(const std::vector<PvdEntry>& entries, double time) {
-  const auto closer = [time](const PvdEntry& a, const PvdEntry& b) {
-    return std::abs(a.time - time) < std::abs(b.time - time);
-  };
-  return static_cast<std::size_t>(std::min_element(entries.begin(), entries.end(), closer) - entries.begin());
-}
-
 double size_of(const std::string& path) {
   std::error_code missing;
   const auto size = fs::file_size(path, missing);
@@ -135,15 +125,10 @@ std::vector<std::size_t> chosen(const ResultFolder& folder, const std::vector<Pv
   for (const PvdEntry& entry : glass) whole += glass_share * size_of(entry.path);
   for (const ToolFilm& tool : tools)
     whole += tool_share * static_cast<double>(glass.size()) * size_of(tool.entries[0].path);
-  const double last = static_cast<double>(glass.size() - 1),
-               stride = std::max(1.0, whole / static_cast<double>(budget));
-  std::set<std::size_t> kept{glass.size() - 1};
-  for (double i = 0; i < last; i += stride) kept.insert(static_cast<std::size_t>(i));
-  for (const StageSpan& stage : folder.stages) kept.insert(nearest(glass, stage.end));
-  return {kept.begin(), kept.end()};
+  return kept_outputs(folder, glass, whole, budget);
 }
 
-Json pack_tools(std::vector<ToolFilm>& tools, double time, VtuCache& cache, PackedBytes& bytes,
+Json pack_tools(std::vector<ToolFilm>& tools, double time, FileCache<VtuFile>& cache, PackedBytes& bytes,
                 std::vector<std::string>& problems) {
   Json packed = Json::array();
   for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -186,23 +171,8 @@ Json describe_tools(const std::vector<ToolFilm>& tools, Topologies& meshes, Pack
 
 }  // namespace
 
-std::shared_ptr<const VtuFile> VtuCache::read(const std::string& path, std::vector<std::string>& problems) {
-  std::error_code missing;
-  const auto written = fs::last_write_time(path, missing);
-  const auto stamp = fmt::format("{} {}", size_of(path), missing ? 0 : written.time_since_epoch().count());
-  Entry& entry = entries_[path];
-  if (entry.stamp == stamp && entry.file) return entry.file;
-  try {
-    entry = {stamp, std::make_shared<const VtuFile>(read_vtu(path))};
-    return entry.file;
-  } catch (const core::RunError& error) {  // of one output: the others are shown
-    if (problems.size() < 5) problems.emplace_back(error.what());
-    return nullptr;
-  }
-}
-
-nlohmann::ordered_json pack_film(const ResultFolder& folder, VtuCache& cache, std::size_t budget, PackedBytes& bytes,
-                                 std::vector<std::string>& problems) {
+nlohmann::ordered_json pack_film(const ResultFolder& folder, FileCache<VtuFile>& cache, std::size_t budget,
+                                 PackedBytes& bytes, std::vector<std::string>& problems) {
   const auto entries = read_pvd(folder.path + "/glass.pvd");
   if (entries.empty()) return nullptr;
   std::vector<ToolFilm> tools = tools_of(folder);

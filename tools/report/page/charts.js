@@ -33,7 +33,17 @@ class Charts {
 
   /** `series` are {label, x, y, colour, dash, error, kind}, drawn as lines or by `kind` as "points" or "steps";
    * nothing where none has a value. With `upright` x goes up; `alsoAt` gives more to be read at an x. */
-  chart({ title, note, series, xLabel = "time, s", yLabel, upright = false, logarithmic = false, height = 300, alsoAt }) {
+  chart({
+    title,
+    note,
+    series,
+    xLabel = "time, s",
+    yLabel,
+    upright = false,
+    logarithmic = false,
+    height = 300,
+    alsoAt,
+  }) {
     const shown = series.filter((one) => one.x && one.y && one.y.some(Number.isFinite));
     if (!shown.length) return null;
     const host = element("div"),
@@ -45,14 +55,11 @@ class Charts {
       note ? element("small", {}, note) : null,
       host,
     );
-    const data = uPlot.join(
-      shown.map((one) => [Array.from(one.x), Array.from(one.y, (value) => (Number.isFinite(value) ? value : null))]),
-    );
     const errors = shown.map((one) => (one.error ? new Map(Array.from(one.x, (x, i) => [x, one.error[i]])) : null));
     host.start = () => {
       const plot = new uPlot(
         this.options(host, { shown, errors, xLabel, yLabel, upright, logarithmic, height, overTime, alsoAt }),
-        data,
+        joined(shown),
         host,
       );
       Object.assign(plot, { tall: height, overTime });
@@ -64,6 +71,14 @@ class Charts {
           const at = plot.posToVal(plot.cursor.left, "x");
           if (Number.isFinite(at)) this.timePicked(at);
         });
+    };
+    /** Gives the series new values, by their labels. */
+    box.update = (series) => {
+      for (const one of shown) {
+        const { x, y } = series.find(({ label }) => label === one.label) || { x: [], y: [] };
+        Object.assign(one, { x, y });
+      }
+      if (host.plot) host.plot.setData(joined(shown));
     };
     this.waiting = [...(this.waiting || []), host];
     return box;
@@ -135,6 +150,12 @@ class Charts {
     };
   }
 }
+
+/** Series over all their x as uPlot takes them. */
+const joined = (shown) =>
+  uPlot.join(
+    shown.map((one) => [Array.from(one.x), Array.from(one.y, (value) => (Number.isFinite(value) ? value : null))]),
+  );
 
 /** What makes points or steps of a line. */
 function kindOf(kind) {

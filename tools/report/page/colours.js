@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours: scales of matplotlib by thirteen of their points, and series that can be told apart also by colour-blind eyes.
+// Colours: scales of matplotlib by some of their points (`wall`, from thin to thick, as in wall.svg), and series that can be told apart also by colour-blind eyes.
 
 const scalePoints = {
   inferno: "000004 110a30 320a5e 57106e 781c6d 9a2865 bc3754 d84c3e ed6925 f98e09 fbb61a f4df53 fcffa4",
   cividis: "00224e 003170 2a3f6d 434e6c 575d6d 6a6c71 7d7c78 918b78 a59c74 bcae6c d2c060 e9d34e fee838",
   viridis: "440154 481f70 443983 3b528b 31688e 287c8e 21918c 20a486 35b779 5ec962 90d743 c8e020 fde725",
+  wall: "a50026 f46d43 ffffbf 74add1 313695",
   magma: "000004 100b2d 2c115f 51127c 721f81 932b80 b73779 d8456c f1605d fc8961 feb078 fed799 fcfdbf",
 };
 

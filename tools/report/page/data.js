@@ -32,6 +32,15 @@ function columnOf(table, buffer, name) {
   return at < 0 ? null : new Float32Array(buffer, table.at + 4 * at * table.rows, table.rows);
 }
 
+/** The place in a list of times that is nearest to one. */
+function nearestOf(times, time) {
+  let best = 0;
+  times.forEach((at, i) => {
+    if (Math.abs(at - time) < Math.abs(times[best] - time)) best = i;
+  });
+  return best;
+}
+
 /** A run with its numbers. */
 class Run {
   constructor(json, buffer, index) {
@@ -40,6 +49,7 @@ class Run {
     this.buffer = buffer;
     this.summary = readSummary(json.summary);
     this.film = json.film ? new Film(json.film, buffer) : null;
+    this.space = json.space ? new SpaceFilm(json.space, buffer) : null;
   }
 
   /** A column of one of the tables; null where there is none. */
@@ -154,10 +164,6 @@ class Film {
 
   /** The frame nearest to a time. */
   nearest(time) {
-    let best = 0;
-    this.times.forEach((at, i) => {
-      if (Math.abs(at - time) < Math.abs(this.times[best] - time)) best = i;
-    });
-    return best;
+    return nearestOf(this.times, time);
   }
 }

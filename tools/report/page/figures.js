@@ -77,6 +77,7 @@ function toolsPart(runs, charts) {
         series: seriesOf(runs, "tools", toolColumns(tools, "heat_received_J"), 1e-3),
       }),
     ),
+    inSpaceNote(runs, "Curves of the tools end with the parison"),
     heatBars(runs),
   );
 }
@@ -85,6 +86,12 @@ const probesOf = (run) =>
   run.history.names.filter(
     (name) => name.endsWith("_degC") && !["glass_mean_degC", "skin_mean_degC", "skin_min_degC"].includes(name),
   );
+
+/** Heat that a tool has received from glass in space, J. */
+function heatInSpace(run, tool) {
+  const tools = (run.space && run.space.summary && run.space.summary.tools) || {};
+  return (tools[tool] && tools[tool].heat_received_J) || 0;
+}
 
 /** Heat into each tool at the end, or so far. */
 function heatBars(runs) {
@@ -97,7 +104,7 @@ function heatBars(runs) {
         rows.push({
           tool,
           run,
-          heat: (known.value ?? column[column.length - 1]) / 1000,
+          heat: (heatInSpace(run, tool) + (known.value ?? column[column.length - 1])) / 1000,
           error: (known.error || 0) / 1000,
         });
     }
@@ -213,9 +220,18 @@ function wallPart(all, charts) {
       }),
     ),
   ];
-  const notes = left.map((run) => element("p", { class: "soft" }, `${run.name} is left out: its wall is that ${run.short}.`));
+  const notes = left.map((run) =>
+    element("p", { class: "soft" }, `${run.name} is left out: its wall is that ${run.short}.`),
+  );
+  const title = runs.every((run) => run.space) ? "Wall of the parison" : "Wall";
   return charted[0] || charted[1].childElementCount
-    ? part("wall", "Wall", element("div", { class: "charts" }, ...charted.filter((one) => one)), ...notes)
+    ? part(
+        "wall",
+        title,
+        inSpaceNote(runs, "This is the wall of the parison"),
+        element("div", { class: "charts" }, ...charted.filter((one) => one)),
+        ...notes,
+      )
     : part("wall", "Wall", element("p", { class: "soft" }, wallAbsent(runs)));
 }
 

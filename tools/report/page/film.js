@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The film of the run with its controls, and the strip of the ends of the stages.
 
-const playStep = 60; // least time of a frame, ms
-
 /** One film for all runs; where there are several, each half may show another one. */
-class FilmPart {
+class FilmPart extends Player {
   constructor(runs, state, timeChanged) {
+    super(state, timeChanged);
     this.runs = runs.filter((run) => run.film);
-    Object.assign(this, { state, timeChanged, view: null, drawing: null });
+    Object.assign(this, { view: null, drawing: null });
     const last = this.runs.length - 1;
     state.right = Math.min(state.right ?? last, last);
     state.left = Math.min(state.left ?? 0, last);
@@ -49,55 +48,13 @@ class FilmPart {
     });
     this.reading = element("p", { class: "reading soft", "aria-live": "off" });
     this.label = element("strong", { class: "number" });
-    this.slider = element("input", {
-      type: "range",
-      min: 0,
-      max: this.times.length - 1,
-      step: 1,
-      "aria-label": "time",
-      oninput: () => this.show(Number(this.slider.value)),
-    });
-    this.button = element("button", { onclick: () => this.play(!this.playing) }, "Play");
     this.scales = element("div", { class: "panel" });
     this.element = element(
       "div",
       { class: "film" },
-      element(
-        "div",
-        { class: "screen" },
-        this.canvas,
-        element("div", { class: "scrub" }, this.button, this.slider),
-        this.label,
-        this.reading,
-      ),
+      element("div", { class: "screen" }, this.canvas, this.scrub(), this.label, this.reading),
       element("div", { class: "panel" }, ...this.controls(), this.scales),
     );
-  }
-
-  select(label, key, entries) {
-    const select = element(
-      "select",
-      {
-        onchange: () => {
-          this.state[key] = key === "field" ? select.value : Number(select.value);
-          this.draw();
-        },
-      },
-      ...entries.map(([value, text]) => element("option", { value, selected: value === this.state[key] }, text)),
-    );
-    return element("label", {}, label, select);
-  }
-
-  tick(label, key) {
-    const box = element("input", {
-      type: "checkbox",
-      checked: Boolean(this.state[key]),
-      onchange: () => {
-        this.state[key] = box.checked;
-        this.draw();
-      },
-    });
-    return element("label", {}, box, label);
   }
 
   controls() {
@@ -109,18 +66,19 @@ class FilmPart {
       this.draw();
     };
     return [
-      this.select(
+      selectOf(
+        this,
         "Colour",
         "field",
         Object.entries(fields)
           .filter(([name]) => this.range(name))
           .map(([name, field]) => [name, field.label]),
       ),
-      ...(this.runs.length > 1 ? [this.select("Left", "left", names), this.select("Right", "right", names)] : []),
-      this.tick("colours of this moment", "ownScale"),
-      this.tick("mesh", "mesh"),
+      ...(this.runs.length > 1 ? [selectOf(this, "Left", "left", names), selectOf(this, "Right", "right", names)] : []),
+      tickOf(this, "colours of this moment", "ownScale"),
+      tickOf(this, "mesh", "mesh"),
       this.runs.some((run) => run.stages.some((stage) => !stage.upright))
-        ? this.tick("turn over with the machine", "turned")
+        ? tickOf(this, "turn over with the machine", "turned")
         : null,
       element(
         "div",
@@ -132,16 +90,6 @@ class FilmPart {
         element("button", { onclick: zoom(0) }, "Whole"),
       ),
     ].filter((control) => control);
-  }
-
-  show(index, quietly = false) {
-    this.state.index = Math.max(0, Math.min(this.times.length - 1, index));
-    this.draw();
-    if (!quietly) this.timeChanged(this.times[this.state.index]);
-  }
-
-  showTime(time, quietly = false) {
-    this.show(this.right.film.nearest(time), quietly);
   }
 
   options() {
@@ -161,7 +109,7 @@ class FilmPart {
   draw() {
     const width = this.element.firstChild.clientWidth || 600;
     this.density = Math.min(2, window.devicePixelRatio || 1);
-    this.state.index = Math.max(0, Math.min(this.times.length - 1, this.state.index ?? this.times.length - 1));
+    this.clampIndex();
     const room = this.printing ? 600 : Math.min(900, Math.max(320, 0.8 * window.innerHeight)),
       planar = this.right.planar;
     this.view = new View(
@@ -181,8 +129,6 @@ class FilmPart {
         ];
     this.shown = this.options();
     this.drawing = drawSection(this.canvas, this.view, halves, this.shown);
-    this.slider.max = this.times.length - 1;
-    this.slider.value = this.state.index;
     const stage = this.right.stageAt(time);
     const left = this.left.film.times,
       end = left[left.length - 1],
@@ -228,52 +174,31 @@ class FilmPart {
       { once: true },
     );
   }
-
-  play(on) {
-    clearTimeout(this.timer);
-    this.playing = on;
-    this.button.textContent = on ? "Stop" : "Play";
-    if (!on) return;
-    if (this.state.index >= this.times.length - 1) this.show(0);
-    const next = () => {
-      const i = this.state.index;
-      if (i >= this.times.length - 1) return this.play(false);
-      this.timer = setTimeout(
-        () => {
-          this.show(i + 1);
-          next();
-        },
-        Math.min(400, Math.max(playStep, 1000 * (this.times[i + 1] - this.times[i]))),
-      );
-    };
-    next();
-  }
 }
 
 /** The colour scales of glass and tools with their ends. */
 function scaleBars(options) {
-  const bar = (title, colours, [low, high], text) =>
-    element(
-      "div",
-      {},
-      element("small", {}, title),
-      element("div", { class: "scale", style: { background: gradient(colours) } }),
-      element("div", { class: "ends" }, element("span", {}, text(low)), element("span", {}, text(high))),
-    );
   const field = fields[options.field],
     bars = [];
   if (options.range)
     bars.push(
-      bar(`glass, ${field.label.toLowerCase()}`, field.colours, options.range, (value) =>
+      scaleBar(`glass, ${field.label.toLowerCase()}`, field.colours, options.range, (value) =>
         field.logarithmic ? `${figure(10 ** value, 2)} ${field.unit}` : field.text(value),
       ),
     );
-  if (options.toolRange) bars.push(bar("tools, temperature", toolColours, options.toolRange, fields.temperature.text));
+  if (options.toolRange)
+    bars.push(scaleBar("tools, temperature", toolColours, options.toolRange, fields.temperature.text));
   return bars;
 }
 
+/** The extent of the glass of a run over all its outputs, round and in space. */
+function wholeExtent(run, film) {
+  const [one, other] = [film.extent(), run.space ? run.space.extent() : film.extent()];
+  return one.map((value, k) => (k % 2 ? Math.max : Math.min)(value, other[k]));
+}
+
 /** Small pictures of the ends of the stages; each leads the film there. */
-function stripOf(run, film) {
+function stripOf(run, film, showTime) {
   const options = {
     field: film.range("temperature") ? "temperature" : film.state.field,
     turned: true,
@@ -281,22 +206,36 @@ function stripOf(run, film) {
     toolRange: film.range(null),
   };
   options.range = film.range(options.field);
+  const inSpace = options.field === "temperature" && run.space && run.space.range("temperature");
+  if (inSpace) options.range = [Math.min(options.range[0], inSpace[0]), Math.max(options.range[1], inSpace[1])];
+  const view = new View(wholeExtent(run, film), run.planar, 260);
+  const section = (stage) => {
+    const canvas = element("canvas"),
+      frame = run.film.nearest(stage.end);
+    const halves = (run.planar ? [1] : [-1, 1]).map((side) => ({ run, frame, side }));
+    drawSection(canvas, view, halves, options);
+    return canvas;
+  };
   return element(
     "div",
     { class: "strip" },
-    ...run.stages.map((stage) => {
-      const canvas = element("canvas"),
-        frame = run.film.nearest(stage.end);
-      const halves = (run.planar ? [1] : [-1, 1]).map((side) => ({ run, frame, side }));
-      drawSection(canvas, new View(film.extent(), run.planar, 260), halves, options);
-      return element(
+    ...run.stages.map((stage) =>
+      element(
         "button",
-        { title: "show this moment in the film", onclick: () => film.showTime(stage.end) },
-        canvas,
+        { title: "show this moment in the film", onclick: () => showTime(stage.end) },
+        isInSpace(run, stage.end)
+          ? spacePicture(
+              run,
+              stage.end,
+              view,
+              inSpace ? "temperature" : "thickness",
+              inSpace ? options.range : run.space.range("thickness"),
+            )
+          : section(stage),
         words(stage.name),
         element("br"),
         element("small", {}, `${stage.end.toFixed(2)} s`),
-      );
-    }),
+      ),
+    ),
   );
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the page from its data; a live one asks the server for more.
 
-const state = { theme: null, film: {} };
-let shown = null; // charts and film of what is in the page
+const state = { theme: null, film: {}, space: {} };
+let shown = null; // charts and players of what is in the page
 
 function applyTheme(theme) {
   document.documentElement.dataset.theme =
@@ -12,7 +12,7 @@ function applyTheme(theme) {
 function repaint() {
   if (!shown) return;
   shown.charts.redraw();
-  if (shown.film) shown.film.draw();
+  shown.players.forEach((player) => player.draw());
 }
 
 function headOf(runs, program) {
@@ -34,26 +34,37 @@ function headOf(runs, program) {
   ];
 }
 
+/** Shows a moment in all plots and players but the one in which it was chosen. */
+function showMoment(time, from) {
+  shown.charts.setTime(time);
+  for (const player of shown.players)
+    if (player !== from && nearestOf(player.times, time) !== player.state.index) player.showTime(time, true);
+}
+
 function stripPart(runs, film) {
   const strips = runs
     .filter((run) => run.film && run.stages.length)
-    .flatMap((run) => [runs.length > 1 ? element("h3", {}, run.name) : null, stripOf(run, film)]);
+    .flatMap((run) => [runs.length > 1 ? element("h3", {}, run.name) : null, stripOf(run, film, showMoment)]);
   return film && strips.length ? part("stages", "Ends of the stages", ...strips) : null;
 }
 
 /** Puts the whole report into the page, with the film where it was. */
 function show(runs, program) {
-  if (shown) shown.charts.destroy();
-  if (shown && shown.film) shown.film.play(false);
-  const charts = new Charts(runs[0] ? runs[0].stages : [], (time) => shown.film && shown.film.showTime(time));
-  const film = runs.some((run) => run.film) ? new FilmPart(runs, state.film, (time) => charts.setTime(time)) : null;
-  shown = { runs, charts, film };
+  if (shown) {
+    shown.charts.destroy();
+    shown.players.forEach((player) => player.play(false));
+  }
+  const charts = new Charts(runs[0] ? runs[0].stages : [], showMoment);
+  const film = runs.some((run) => run.film) ? new FilmPart(runs, state.film, showMoment) : null,
+    space = runs.some((run) => run.space) ? new SpacePart(runs, state.space, showMoment, charts) : null;
+  shown = { runs, charts, players: [film, space].filter((player) => player) };
   const parts = [
     overviewPart(runs),
     searchPart(state.search, charts),
     stripPart(runs, film),
+    ...(space ? space.parts() : []),
     film
-      ? part("film", "Film", film.element)
+      ? part("film", space ? "Film until the parison" : "Film", film.element)
       : part("film", "Film", element("p", { class: "soft" }, "No output has been written yet.")),
     wallPart(runs, charts),
     coldPart(runs),
@@ -62,7 +73,7 @@ function show(runs, program) {
     productionPart(state.productions, charts),
     balancePart(runs, charts),
     quantityPart(runs),
-    differencePart(state.differences),
+    differencePart(state.differences, runs),
     checkPart(runs),
     scenePart(runs),
   ].filter((one) => one);
@@ -74,7 +85,7 @@ function show(runs, program) {
     );
   document.getElementById("main").replaceChildren(...parts);
   charts.start();
-  if (film) film.show(film.state.index ?? film.times.length - 1, true);
+  shown.players.forEach((player) => player.show(player.state.index ?? player.last, true));
 }
 
 async function take(page) {
@@ -83,13 +94,15 @@ async function take(page) {
   state.differences = page.differences || null;
   state.productions = (page.productions || []).map((one, i) => new Production(one, buffer, i));
   const runs = page.runs.map((run, i) => new Run(run, buffer, i));
-  const film = shown && shown.film,
-    atEnd = !film || film.state.index >= film.times.length - 1;
-  const time = film ? film.times[film.state.index] : null;
-  if (atEnd) state.film.index = undefined;
+  // Players at their end follow the run; others stay where they are.
+  const stays = shown
+    ? shown.players.filter((player) => !player.atEnd).map((player) => [player.state, player.time])
+    : [];
+  for (const one of [state.film, state.space]) if (!stays.some(([of]) => of === one)) one.index = undefined;
   show(runs, page.program);
   if (page.mixed_cases) say("warn", page.mixed_cases);
-  if (!atEnd && shown.film) shown.film.showTime(time, true);
+  for (const [of, time] of stays)
+    shown.players.filter((one) => one.state === of).forEach((one) => one.showTime(time, true));
 }
 
 function say(kind, ...content) {
@@ -104,7 +117,7 @@ async function follow() {
   for (;;) {
     try {
       const now = await (await fetch("stamp", { cache: "no-store" })).json();
-      if (now !== stamp && !(shown && shown.film && (shown.film.playing || shown.film.held))) {
+      if (now !== stamp && !(shown && shown.players.some((player) => player.isHeld))) {
         const page = await (await fetch("data", { cache: "no-store" })).json();
         if (page) await take(page);
         stamp = now;
@@ -127,7 +140,7 @@ async function follow() {
 function printing(on) {
   applyTheme(on ? "light" : state.theme);
   if (!shown) return;
-  if (shown.film) shown.film.printing = on;
+  shown.players.forEach((player) => (player.printing = on));
   for (const one of document.querySelectorAll("details")) {
     if (on) one.dataset.was = one.open ? "open" : "";
     one.open = on || one.dataset.was === "open";
@@ -147,7 +160,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 });
 addEventListener("beforeprint", () => printing(true));
 addEventListener("afterprint", () => printing(false));
-addEventListener("resize", () => shown && shown.film && shown.film.draw());
+addEventListener("resize", () => shown && shown.players.forEach((player) => player.draw()));
 const given = JSON.parse(document.getElementById("data").textContent);
 if (given) take(given).catch((error) => say("bad", `The report cannot be shown: ${error.message}`));
 else follow();

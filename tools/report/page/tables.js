@@ -22,6 +22,7 @@ function quantityPart(runs) {
     return part(
       "quantities",
       "Quantities",
+      spaceTable(runs),
       element("p", { class: "soft" }, "They are known when a run has come to its end."),
     );
   const bars = runs.some((run) => Object.values(of(run)).some((one) => one.error > 0));
@@ -32,15 +33,15 @@ function quantityPart(runs) {
   return part(
     "quantities",
     "Quantities",
+    spaceTable(runs),
+    inSpaceNote(runs, "The following are quantities of the parison"),
     table(
       ["quantity", ...runs.flatMap((run) => [headingOf(run), "model"].map(number)), "unit"],
       names.map((name) => {
         const known = runs.map((run) => of(run)[name]);
         return [
           quantityLabel(runs, name),
-          ...known.flatMap((one) =>
-            (one ? [withError(one.value, one.error), modelText(one)] : ["-", "-"]).map(number),
-          ),
+          ...known.flatMap((one) => (one ? [withError(one.value, one.error), modelText(one)] : ["-", "-"]).map(number)),
           unitText((known.find((one) => one) || {}).unit),
         ];
       }),
@@ -50,6 +51,37 @@ function quantityPart(runs) {
   );
 }
 
+/** The containers of runs that end in space, by their summaries. */
+function spaceTable(all) {
+  const runs = all.filter((run) => run.space && run.space.summary);
+  if (!runs.length) return null;
+  const rows = [
+    ["thinnest wall", "mm", (of) => of.thinnest && of.thinnest.thickness_mm],
+    ["thickest wall", "mm", (of) => of.thickest && of.thickest.thickness_mm],
+    ["wall, mean by area", "mm", (of) => of.mean_thickness_mm],
+    ["capacity to the rim", "ml", (of) => of.capacity_ml],
+    ["outside within 0.2 mm of tools", "%", (of) => 100 * of["outer_within_0.2mm_of_tools"]],
+    ["heat to the tools, in space", "kJ", (of) => of.heat_to_tools_J / 1000],
+    ["heat to the air, in space", "kJ", (of) => of.heat_to_air_J / 1000],
+  ];
+  return element(
+    "div",
+    {},
+    table(
+      ["container", ...runs.map((run) => number(runs.length > 1 ? run.name : "value")), "unit"],
+      rows.map(([name, unit, of]) => [name, ...runs.map((run) => number(figure(of(run.space.summary)))), unit]),
+    ),
+  );
+}
+
+/** That something is of the parison alone where runs end in space. */
+function inSpaceNote(all, what) {
+  const runs = all.filter((run) => run.space);
+  if (!runs.length) return null;
+  const names = runs.length < all.length ? ` of ${runs.map((run) => run.name).join(", ")}` : "";
+  return element("p", { class: "soft" }, `${what}${names} when it became a body in space, not of the container.`);
+}
+
 /** What the columns of models mean. */
 function modelNote(runs) {
   const models = [...new Set(runs.map(modelNames))].filter((text) => text);
@@ -57,7 +89,7 @@ function modelNote(runs) {
 }
 
 /** What `parison compare` says of the other runs beside the first. */
-function differencePart(differences) {
+function differencePart(differences, runs) {
   if (!differences) return null;
   const { base, others } = differences,
     verdictClass = { real: "good", "within its error": "soft" };
@@ -79,11 +111,7 @@ function differencePart(differences) {
     element("h3", {}, `${one.run} against ${base}`),
     element("p", { class: "warn" }, `The runs are not compared: ${one.reason}`),
   ];
-  return part(
-    "differences",
-    "Differences",
-    ...others.flatMap((one) => (one.rows ? tableOf(one) : reasonOf(one))),
-  );
+  return part("differences", "Differences", ...others.flatMap((one) => (one.rows ? tableOf(one) : reasonOf(one))));
 }
 
 function factsOf(run) {
@@ -94,19 +122,39 @@ function factsOf(run) {
     const column = run.column("history", name);
     return column && last >= 0 ? column[last] : NaN;
   };
-  const range = Number.isFinite(thickness.min_mm)
-    ? `${[thickness.min_mm, thickness.mean_mm, thickness.max_mm].map((value) => value.toFixed(2)).join(" / ")} mm`
-    : null;
+  const range =
+    !run.space && Number.isFinite(thickness.min_mm)
+      ? `${[thickness.min_mm, thickness.mean_mm, thickness.max_mm].map((value) => value.toFixed(2)).join(" / ")} mm`
+      : null;
   return [
     ["simulated", `${figure(run.endTime)} s`],
     ["glass", glass.mass_kg ? `${figure(1000 * glass.mass_kg)} g` : null],
     ["wall: least, mean, most", range],
-    ["capacity to the rim", container.capacity_ml ? `${figure(container.capacity_ml)} ml` : null],
+    ...(run.space ? spaceFacts(run) : []),
+    ["capacity to the rim", !run.space && container.capacity_ml ? `${figure(container.capacity_ml)} ml` : null],
     ["glass, mean", Number.isFinite(now("glass_mean_degC")) ? `${now("glass_mean_degC").toFixed(0)} °C` : null],
     ["heat to the tools", Math.abs(now("heat_to_tools_J")) > 0 ? `${figure(now("heat_to_tools_J") / 1000)} kJ` : null],
     ["flags of the process", complete ? String(flags.length) : null],
     ["accuracy", run.summary.accuracy],
   ].filter(([, text]) => text);
+}
+
+/** The container in space at the end, or as far as its run has come: the summary is of its parison. */
+function spaceFacts({ space }) {
+  const { summary } = space,
+    frame = space.at(space.times.length - 1),
+    thin = frame.extreme(),
+    mean = space.meanWall(space.times.length - 1),
+    share = summary && summary["outer_within_0.2mm_of_tools"];
+  return [
+    [
+      "thinnest wall",
+      thin && `${thin.value.toFixed(2)} mm, height ${fixed(thin.height, 1)} mm, ${fixed(thin.angle, 0)}°`,
+    ],
+    ["wall, mean by area", Number.isFinite(mean) ? `${mean.toFixed(2)} mm` : null],
+    ["capacity to the rim", summary && summary.capacity_ml > 0 ? `${figure(summary.capacity_ml)} ml` : null],
+    ["outside within 0.2 mm of tools", Number.isFinite(share) ? `${fixed(100 * share, 0)} %` : null],
+  ];
 }
 
 /** What a reader should know first of a run: how it ended, what is wrong, what to do. */
@@ -126,10 +174,21 @@ function notesOf(run) {
   for (const flag of flags) notes.push(["warn", flag.sentence]);
   for (const warning of warnings) notes.push(["warn", warning]);
   if (overrides.length) notes.push(["soft", `set for this run: ${overrides.join(", ")}`]);
-  if (run.film && run.film.frames.length < run.film.outputs)
+  for (const [film, what] of [
+    [run.film, "the film"],
+    [run.space, "the part on the container"],
+  ])
+    if (film && film.frames.length < film.outputs)
+      notes.push(["soft", `${what} shows ${film.frames.length} of ${film.outputs} outputs, to keep the page small`]);
+  const { thickness, container } = run.summary;
+  if (run.space)
     notes.push([
       "soft",
-      `the film shows ${run.film.frames.length} of ${run.film.outputs} outputs, to keep the page small`,
+      `a body in space from ${run.space.times[0].toFixed(2)} s on; its parison` +
+        (Number.isFinite(thickness.mean_mm)
+          ? ` had a wall of ${figure(thickness.min_mm, 3)} to ${figure(thickness.max_mm, 3)} mm, ${figure(thickness.mean_mm, 3)} mm in the mean`
+          : " was round") +
+        (container.capacity_ml ? `, and held ${figure(container.capacity_ml, 3)} ml` : ""),
     ]);
   return notes;
 }
