@@ -41,12 +41,13 @@ function writeOver(context, text, x, y, density) {
   context.font = `600 ${12 * density}px system-ui, sans-serif`;
   context.setLineDash([]);
   context.lineJoin = "round";
-  const left = Math.max(4, Math.min(x, context.canvas.width - context.measureText(text).width - 4));
+  const left = Math.max(4, Math.min(x, context.canvas.width - context.measureText(text).width - 4)),
+    low = Math.max(y, 14 * density);
   context.lineWidth = 3.5 * density;
   context.strokeStyle = isDark() ? "#000" : "#fff";
-  context.strokeText(text, left, y);
+  context.strokeText(text, left, low);
   context.fillStyle = isDark() ? "#fff" : "#000";
-  context.fillText(text, left, y);
+  context.fillText(text, left, low);
 }
 
 /** A bar of a round length at the lower left. */
