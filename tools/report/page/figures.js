@@ -77,7 +77,9 @@ function toolsPart(runs, charts) {
         series: seriesOf(runs, "tools", toolColumns(tools, "heat_received_J"), 1e-3),
       }),
     ),
-    inSpaceNote(runs, "Curves of the tools end with the parison"),
+    runs.some((run) => run.space)
+      ? element("p", { class: "soft" }, "Curves of the tools end where the glass becomes a body in space.")
+      : null,
     heatBars(runs),
   );
 }
@@ -86,12 +88,6 @@ const probesOf = (run) =>
   run.history.names.filter(
     (name) => name.endsWith("_degC") && !["glass_mean_degC", "skin_mean_degC", "skin_min_degC"].includes(name),
   );
-
-/** Heat that a tool has received from glass in space, J. */
-function heatInSpace(run, tool) {
-  const tools = (run.space && run.space.summary && run.space.summary.tools) || {};
-  return (tools[tool] && tools[tool].heat_received_J) || 0;
-}
 
 /** Heat into each tool at the end, or so far. */
 function heatBars(runs) {
@@ -104,7 +100,7 @@ function heatBars(runs) {
         rows.push({
           tool,
           run,
-          heat: (heatInSpace(run, tool) + (known.value ?? column[column.length - 1])) / 1000,
+          heat: (known.value ?? column[column.length - 1]) / 1000,
           error: (known.error || 0) / 1000,
         });
     }
@@ -150,7 +146,10 @@ function heightAlong(run) {
   };
 }
 
-function wallPart(all, charts) {
+/** The wall of round glass; that of glass in space has its own parts. */
+function wallPart(given, charts) {
+  const all = given.filter((run) => !run.space);
+  if (!all.length) return null;
   // The wall of a run that stopped on its way would stretch the scales of those that are whole.
   const whole = all.filter((run) => !run.short),
     runs = whole.length ? whole : all,
@@ -223,15 +222,8 @@ function wallPart(all, charts) {
   const notes = left.map((run) =>
     element("p", { class: "soft" }, `${run.name} is left out: its wall is that ${run.short}.`),
   );
-  const title = runs.every((run) => run.space) ? "Wall of the parison" : "Wall";
   return charted[0] || charted[1].childElementCount
-    ? part(
-        "wall",
-        title,
-        inSpaceNote(runs, "This is the wall of the parison"),
-        element("div", { class: "charts" }, ...charted.filter((one) => one)),
-        ...notes,
-      )
+    ? part("wall", "Wall", element("div", { class: "charts" }, ...charted.filter((one) => one)), ...notes)
     : part("wall", "Wall", element("p", { class: "soft" }, wallAbsent(runs)));
 }
 

@@ -73,7 +73,7 @@ function show(runs, program) {
     productionPart(state.productions, charts),
     balancePart(runs, charts),
     quantityPart(runs),
-    differencePart(state.differences, runs),
+    differencePart(state.differences),
     checkPart(runs),
     scenePart(runs),
   ].filter((one) => one);

@@ -22,7 +22,6 @@ function quantityPart(runs) {
     return part(
       "quantities",
       "Quantities",
-      spaceTable(runs),
       element("p", { class: "soft" }, "They are known when a run has come to its end."),
     );
   const bars = runs.some((run) => Object.values(of(run)).some((one) => one.error > 0));
@@ -33,8 +32,6 @@ function quantityPart(runs) {
   return part(
     "quantities",
     "Quantities",
-    spaceTable(runs),
-    inSpaceNote(runs, "The following are quantities of the parison"),
     table(
       ["quantity", ...runs.flatMap((run) => [headingOf(run), "model"].map(number)), "unit"],
       names.map((name) => {
@@ -51,37 +48,6 @@ function quantityPart(runs) {
   );
 }
 
-/** The containers of runs that end in space, by their summaries. */
-function spaceTable(all) {
-  const runs = all.filter((run) => run.space && run.space.summary);
-  if (!runs.length) return null;
-  const rows = [
-    ["thinnest wall", "mm", (of) => of.thinnest && of.thinnest.thickness_mm],
-    ["thickest wall", "mm", (of) => of.thickest && of.thickest.thickness_mm],
-    ["wall, mean by area", "mm", (of) => of.mean_thickness_mm],
-    ["capacity to the rim", "ml", (of) => of.capacity_ml],
-    ["outside within 0.2 mm of tools", "%", (of) => 100 * of["outer_within_0.2mm_of_tools"]],
-    ["heat to the tools, in space", "kJ", (of) => of.heat_to_tools_J / 1000],
-    ["heat to the air, in space", "kJ", (of) => of.heat_to_air_J / 1000],
-  ];
-  return element(
-    "div",
-    {},
-    table(
-      ["container", ...runs.map((run) => number(runs.length > 1 ? run.name : "value")), "unit"],
-      rows.map(([name, unit, of]) => [name, ...runs.map((run) => number(figure(of(run.space.summary)))), unit]),
-    ),
-  );
-}
-
-/** That something is of the parison alone where runs end in space. */
-function inSpaceNote(all, what) {
-  const runs = all.filter((run) => run.space);
-  if (!runs.length) return null;
-  const names = runs.length < all.length ? ` of ${runs.map((run) => run.name).join(", ")}` : "";
-  return element("p", { class: "soft" }, `${what}${names} when it became a body in space, not of the container.`);
-}
-
 /** What the columns of models mean. */
 function modelNote(runs) {
   const models = [...new Set(runs.map(modelNames))].filter((text) => text);
@@ -89,7 +55,7 @@ function modelNote(runs) {
 }
 
 /** What `parison compare` says of the other runs beside the first. */
-function differencePart(differences, runs) {
+function differencePart(differences) {
   if (!differences) return null;
   const { base, others } = differences,
     verdictClass = { real: "good", "within its error": "soft" };
@@ -139,19 +105,23 @@ function factsOf(run) {
   ].filter(([, text]) => text);
 }
 
-/** The container in space at the end, or as far as its run has come: the summary is of its parison. */
-function spaceFacts({ space }) {
+/** The container in space at the end, or as far as its run has come. */
+function spaceFacts({ space, summary: { quantities } }) {
   const { summary } = space,
-    frame = space.at(space.times.length - 1),
-    thin = frame.extreme(),
-    mean = space.meanWall(space.times.length - 1),
+    last = space.times.length - 1,
+    thin = space.at(last).extreme(),
+    mean = space.meanWall(last),
     share = summary && summary["outer_within_0.2mm_of_tools"];
+  const wall = (value, name) => {
+    const error = (quantities[name] || {}).error;
+    return `${error > 0 ? withError(value, error) : value.toFixed(2)} mm`;
+  };
   return [
     [
       "thinnest wall",
-      thin && `${thin.value.toFixed(2)} mm, height ${fixed(thin.height, 1)} mm, ${fixed(thin.angle, 0)}°`,
+      thin && `${wall(thin.value, "thickness_min")}, height ${fixed(thin.height, 1)} mm, ${fixed(thin.angle, 0)}°`,
     ],
-    ["wall, mean by area", Number.isFinite(mean) ? `${mean.toFixed(2)} mm` : null],
+    ["wall, mean by area", Number.isFinite(mean) ? wall(mean, "thickness_mean") : null],
     ["capacity to the rim", summary && summary.capacity_ml > 0 ? `${figure(summary.capacity_ml)} ml` : null],
     ["outside within 0.2 mm of tools", Number.isFinite(share) ? `${fixed(100 * share, 0)} %` : null],
   ];
@@ -180,16 +150,7 @@ function notesOf(run) {
   ])
     if (film && film.frames.length < film.outputs)
       notes.push(["soft", `${what} shows ${film.frames.length} of ${film.outputs} outputs, to keep the page small`]);
-  const { thickness, container } = run.summary;
-  if (run.space)
-    notes.push([
-      "soft",
-      `a body in space from ${run.space.times[0].toFixed(2)} s on; its parison` +
-        (Number.isFinite(thickness.mean_mm)
-          ? ` had a wall of ${figure(thickness.min_mm, 3)} to ${figure(thickness.max_mm, 3)} mm, ${figure(thickness.mean_mm, 3)} mm in the mean`
-          : " was round") +
-        (container.capacity_ml ? `, and held ${figure(container.capacity_ml, 3)} ml` : ""),
-    ]);
+  if (run.space) notes.push(["soft", `the glass is a body in space from ${run.space.times[0].toFixed(2)} s on`]);
   return notes;
 }
 
