@@ -24,7 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using Status = SweepState::Status;
 
-constexpr std::array kept_files{"summary.json", "thickness.csv", "history.csv"};  ///< the last one on request
+/// `solid` is of glass in space; the last one on request.
+constexpr std::array kept_files{"summary.json", "thickness.csv", "solid", "history.csv"};
 
 /// Of one folder, without its coarser runs. Refuses a run of another case or with other settings than the fingerprint
 /// stands for; an empty one stands for all.
