@@ -21,16 +21,37 @@ namespace {
 /// Steps from one possible checkpoint to the next within a stage.
 constexpr Index steps_to_checkpoint = 8;
 
-/// Why a stage cannot begin with the present places of glass and tools; empty where it can.
-std::string cannot_begin(const Scene& scene, const State& clock, const SolidState& solid) {
-  constexpr double bearable = 2e-4;  // m: cells of the glass are chords of the curve that they were turned from
-  const SolidOverlap overlap = deepest_overlap(scene, clock, solid);
+/// Where glass is larger than a tool that a stage brings, as a sentence; empty where it is so by no more than bearable,
+/// m.
+std::string larger_than_tool(const RunInProgress& run, const SolidState& solid, Index stage, double bearable) {
+  const SolidOverlap overlap = deepest_overlap(run.scene, run.outcome.state, solid, stage);
   if (overlap.depth <= bearable) return "";
-  return fmt::format(
-      "the glass does not fit into \"{}\": it is {:.2f} mm too wide at z = {:.1f} mm, {:.0f} deg from the plane y = 0; "
-      "a narrower blank, a wider mould there, or less time in which the parison sags",
-      scene.tools[overlap.tool].name, 1e3 * overlap.depth, 1e3 * overlap.at[2],
-      std::atan2(overlap.at[1], overlap.at[0]) * 180 / M_PI);
+  const std::string& tool = run.scene.tools[overlap.tool].name;
+  const std::string start =
+      fmt::format("the glass does not fit into \"{}\" of stage {}: it ", tool, run.scene.stages[stage].name);
+  if (overlap.is_end)
+    return start +
+           fmt::format("hangs {:.2f} mm too long, to z = {:.1f} mm; less time or colder glass before, or a longer tool",
+                       1e3 * overlap.depth, 1e3 * overlap.at[2]);
+  return start + fmt::format(
+                     "is {:.2f} mm too wide at z = {:.1f} mm, {:.0f} deg from the plane y = 0; a narrower blank, "
+                     "a wider mould there, or less time in which the parison sags",
+                     1e3 * overlap.depth, 1e3 * overlap.at[2], std::atan2(overlap.at[1], overlap.at[0]) * 180 / M_PI);
+}
+
+/// Why the present stage cannot begin with the places of glass and tools; empty where it can.
+std::string cannot_begin(const RunInProgress& run, const SolidState& solid) {
+  constexpr double bearable = 2e-4;  // m: cells of the glass are chords of the curve that they were turned from
+  return larger_than_tool(run, solid, run.outcome.state.stage, bearable);
+}
+
+/// Whether glass that no pressure moves has outgrown a tool of the next stage: it only gets longer until it falls.
+std::string outgrown(const RunInProgress& run, const SolidState& solid) {
+  constexpr double most = 0.02;  // of the glass
+  const Scene& scene = run.scene;
+  const Index stage = run.outcome.state.stage;
+  if (stage + 1 >= static_cast<Index>(scene.stages.size()) || !scene.stages[stage].pressure.empty()) return "";
+  return larger_than_tool(run, solid, stage + 1, most * core::size(scene.glass.profile));
 }
 
 /// The step up to the next output or the end of the stage, s, at most `proposed`.
@@ -83,7 +104,7 @@ bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   solid.next_step = propose_solid_step(run.scene, clock, solid, 0);
   solid.glass.velocity.resize(0);  // pressures jump between stages
   notify(run, &RunObserver::stage_begins);
-  run.outcome.facts.reason = cannot_begin(run.scene, clock, solid);
+  run.outcome.facts.reason = cannot_begin(run, solid);
   return run.outcome.facts.reason.empty();
 }
 
@@ -93,6 +114,8 @@ bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& worksp
   while (longest_stage_time(run.scene, clock) - clock.stage_time > same_time) {
     const double before = clock.time;
     if (!step_once(run, solid, workspace)) return false;
+    run.outcome.facts.reason = outgrown(run, solid);
+    if (!run.outcome.facts.reason.empty()) return false;
     notify(run, &RunObserver::solid_step_taken, solid);
     if (!outputs_due(run.scene, clock.stage, before, clock.time).empty())
       notify(run, &RunObserver::solid_fields_due, solid);

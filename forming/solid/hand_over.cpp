@@ -11,6 +11,7 @@
 #include "forming/solid/solid_heat.hpp"
 #include "forming/solid/swept_tool.hpp"
 #include "forming/state/initial_state.hpp"
+#include "remesh/solid/column_values.hpp"
 #include "remesh/solid/wall_mesh.hpp"
 
 namespace parison::forming {
@@ -55,7 +56,8 @@ double solid_size(const Accuracy& accuracy) {
 }
 
 Index solid_layers(const Accuracy& accuracy) {
-  return 1 + static_cast<Index>(std::floor(accuracy.elements_across));  // for the skins of both sides
+  constexpr Index least = 3;  // the skins of both sides, and what is between them
+  return std::max(least, 1 + static_cast<Index>(std::floor(accuracy.elements_across)));
 }
 
 std::vector<core::HexFace> faces_of(const SolidState& state, SolidSide side) {
@@ -78,12 +80,10 @@ SolidState hand_over(const Scene& scene, const State& state, double cell_size) {
       remesh::turn_wall(coordinates, {cell_size, solid_layers(scene.accuracy), scene.solid->sector});
   SolidState solid;
   solid.cell_size = cell_size;
+  solid.glass.temperature = remesh::column_values(section, state.glass.temperature, wall);
   solid.share = scene.solid->sector / (2 * M_PI);
   solid.first_mesh = wall.mesh;
   solid.glass.mesh = std::move(wall.mesh);
-  solid.glass.temperature.resize(solid.glass.mesh.node_count());
-  for (Index n = 0; n < solid.glass.mesh.node_count(); ++n)
-    solid.glass.temperature[n] = coordinates.value(state.glass.temperature, wall.section[static_cast<std::size_t>(n)]);
   add_side(wall.inner, SolidSide::inner, solid);
   add_side(wall.outer, SolidSide::outer, solid);
   add_side(wall.rim, SolidSide::rim, solid);

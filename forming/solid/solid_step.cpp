@@ -20,12 +20,13 @@ const StageTool* active_entry(const Scene& scene, const State& clock, Index tool
   return nullptr;
 }
 
-/// Whether the present stage brings a tool to its place: those that stay have the glass where contact has put it.
-bool comes_into_place(const Scene& scene, const State& clock, Index tool) {
-  if (!active_entry(scene, clock, tool)) return false;
-  if (clock.stage == 0) return true;
-  const auto& before = scene.stages[clock.stage - 1].tools;
-  return std::none_of(before.begin(), before.end(), [&](const StageTool& entry) { return entry.tool == tool; });
+/// Whether a stage brings a tool to its place: those that stay have the glass where contact has put it.
+bool comes_into_place(const Scene& scene, Index stage, Index tool) {
+  const auto has = [&](Index of) {
+    const auto& tools = scene.stages[of].tools;
+    return std::any_of(tools.begin(), tools.end(), [&](const StageTool& entry) { return entry.tool == tool; });
+  };
+  return has(stage) && (stage == 0 || !has(stage - 1));
 }
 
 /// The flow of the present stage over dt, s. Its tools are those of the solid in place; `places` says which.
@@ -129,16 +130,17 @@ double propose_solid_step(const Scene& scene, const State& clock, const SolidSta
   return flow::propose_step(problem, solid.glass, limits);
 }
 
-SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid) {
+SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid, Index stage) {
   SolidOverlap deepest;
   for (const SolidTool& tool : solid.tools) {
-    if (!comes_into_place(scene, clock, tool.tool)) continue;
+    if (!comes_into_place(scene, stage, tool.tool)) continue;
     const Vector3 offset = clock.tools[tool.tool].offset * Vector3::UnitZ();
     for (const core::HexFace& face : solid.faces)
       for (const Index node : core::face_node_numbers(solid.glass.mesh, face)) {
         const Vector3& at = solid.glass.mesh.nodes[node];
-        const double depth = -tool.surface->gap(at - offset).distance;
-        if (depth > deepest.depth) deepest = {depth, tool.tool, at};
+        const contact::SurfaceGap gap = tool.surface->gap(at - offset);
+        constexpr double along = 0.7;  // of the normal
+        if (-gap.distance > deepest.depth) deepest = {-gap.distance, tool.tool, at, std::abs(gap.normal[2]) > along};
       }
   }
   return deepest;

@@ -32,12 +32,13 @@ double propose_solid_step(const Scene& scene, const State& clock, const SolidSta
 /// The place along the axis of a tool at a time since the present stage's start, m.
 double tool_offset(const Scene& scene, const State& clock, Index tool, double stage_time);
 
-/// The deepest place of the glass in a tool that the present stage brings to its place.
+/// The deepest place of the glass in a tool that a stage brings to its place.
 struct SolidOverlap {
   double depth = 0;                          ///< m
   Index tool = -1;                           ///< index into Scene::tools; -1: none overlaps
   core::Vector3 at = core::Vector3::Zero();  ///< m
+  bool is_end = false;                       ///< the tool faces along the axis there: the glass is too long
 };
-SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid);
+SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid, Index stage);
 
 }  // namespace parison::forming

@@ -47,12 +47,16 @@ class Finder {
     std::vector<Index> near = cells_of_[node];
     CellPlace place = best_of(near, position);
     if (beyond(place.at) <= bearable) return place;
-    for (const Index cell : cells_of_[node])
-      for (const Index other : mesh_->cells[cell])
-        near.insert(near.end(), cells_of_[other].begin(), cells_of_[other].end());
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    return best_of(near, position);
+    constexpr int most_rings = 4;  // of cells about those of the node
+    for (int ring = 0; ring < most_rings && beyond(place.at) > bearable; ++ring) {
+      for (const Index cell : std::vector<Index>(near))
+        for (const Index other : mesh_->cells[cell])
+          near.insert(near.end(), cells_of_[other].begin(), cells_of_[other].end());
+      std::sort(near.begin(), near.end());
+      near.erase(std::unique(near.begin(), near.end()), near.end());
+      place = best_of(near, position);
+    }
+    return place;
   }
 
   /// The place of a node itself.

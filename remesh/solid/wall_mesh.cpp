@@ -25,15 +25,16 @@ struct FlatPlace {
   double across;
 };
 
+constexpr int line_pieces = 2000;
+
 /// The middle line of a wall by its length, m: `along` of the wall's coordinates there.
 class MiddleLine {
  public:
   explicit MiddleLine(const WallCoordinates& wall) {
-    constexpr int pieces = 2000;
-    core::Point before = wall.place(0, middle).at;
-    for (int i = 0; i <= pieces; ++i) {
-      const double along = double(i) / pieces;
-      const core::Point at = wall.place(along, middle).at;
+    core::Point before = wall.place(0, middle);
+    for (int i = 0; i <= line_pieces; ++i) {
+      const double along = double(i) / line_pieces;
+      const core::Point at = wall.place(along, middle);
       const double arc = i == 0 ? 0 : table_.x.back() + (at - before).norm();
       if (i > 0 && arc <= table_.x.back()) continue;
       table_.x.push_back(arc);
@@ -44,12 +45,42 @@ class MiddleLine {
   }
   double length() const { return table_.x.back(); }
   double widest() const { return widest_; }  ///< largest radius, m
-  double along(double arc) const { return table_(arc); }
+  double along(double arc) const { return arc > length() * (1 - 1e-12) ? 1 : table_(arc); }
 
  private:
   static constexpr double middle = 0.5;
   core::Table table_;
   double widest_ = 0;
+};
+
+/// One side of a wall by the length of the middle line, m. At knots it is where the wall's coordinates have it, between
+/// them the side goes on by equal lengths.
+class SideLine {
+ public:
+  SideLine(const WallCoordinates& wall, const MiddleLine& line, SurfacePart part, const std::vector<double>& knots) {
+    const auto points = wall.side(part);
+    core::Table arc_of;  // by `along`
+    double arc = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double way = i == 0 ? 0 : (points[i].at - points[i - 1].at).norm();
+      if (i > 0 && way == 0) continue;
+      arc += way;
+      r_.x.push_back(arc), r_.y.push_back(points[i].at[0]);
+      z_.x.push_back(arc), z_.y.push_back(points[i].at[1]);
+      if (i > 0 && points[i].along <= arc_of.x.back()) continue;
+      arc_of.x.push_back(points[i].along), arc_of.y.push_back(arc);
+    }
+    arc_of.y.back() = arc;
+    for (const double knot : knots) arc_.x.push_back(knot), arc_.y.push_back(arc_of(line.along(knot)));
+  }
+  core::Point place(double middle_arc) const {
+    const double arc = arc_(middle_arc);
+    return {r_(arc), z_(arc)};
+  }
+
+ private:
+  core::Table r_, z_;  ///< by the length of the side
+  core::Table arc_;    ///< length of the side, by that of the middle line
 };
 
 /// A point of the unit square laid into a quarter disc of radius 1: more square than round, so that the corner of the
@@ -71,8 +102,16 @@ std::array<double, 2> border_of_disc(double share) {
 /// Collects cells and joins their nodes where they share a place.
 class WallBuilder {
  public:
-  WallBuilder(const WallCoordinates& wall, const MiddleLine& line, const WallDivision& division)
-      : wall_(wall), line_(line), division_(division), ends_(layer_ends(division.layers)) {}
+  /// `knots`: lengths of the middle line at which rings of cells end, from 0 to its whole length.
+  WallBuilder(const WallCoordinates& wall, const MiddleLine& line, const WallDivision& division,
+              const std::vector<double>& knots)
+      : wall_(wall),
+        line_(line),
+        division_(division),
+        ends_(layer_ends(division.layers)),
+        inner_(wall, line, SurfacePart::inner, knots),
+        outer_(wall, line, SurfacePart::outer, knots),
+        last_ring_(knots[knots.size() - 2]) {}
 
   /// A stack of cells, one for each layer, over a part of the wall laid flat: place(u, v), u and v from 0 to 1.
   /// `at_rim`: its side u = 1 is on the rim.
@@ -115,11 +154,28 @@ class WallBuilder {
     if (!is_new) return found->second;
     columns_[{std::get<0>(key), std::get<1>(key)}][std::get<2>(key)] = found->second;
     const double arc = std::hypot(at.x, at.y), angle = arc == 0 ? 0 : std::atan2(at.y, at.x);
-    const auto place = wall_.place(arc > line_.length() * (1 - 1e-12) ? 1 : line_.along(arc), at.across);
-    const double radius = std::get<0>(key) == 0 && std::get<1>(key) == 0 ? 0 : place.at[0];
-    result_.mesh.nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle), place.at[1]);
-    result_.section.push_back(place);
+    const core::Point place = through_wall(arc, at.across);
+    const double radius = std::get<0>(key) == 0 && std::get<1>(key) == 0 ? 0 : place[0];
+    result_.mesh.nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle), place[1]);
     return found->second;
+  }
+
+  /// A place on the line between the sides; in the ring at the rim it goes over to the rim's own line. Edges are
+  /// straight there: a rim that is round bends into the sides without a corner, and cells in its corners would have
+  /// none.
+  core::Point through_wall(double arc, double across) const {
+    const auto straight = [&](double at) -> core::Point {
+      return (1 - across) * inner_.place(at) + across * outer_.place(at);
+    };
+    const double share = std::min(1.0, (arc - last_ring_) / (line_.length() - last_ring_));
+    if (share <= 0) return straight(arc);
+    return (1 - share) * straight(last_ring_) + share * rim_place(across);
+  }
+
+  core::Point rim_place(double across) const {
+    const auto above = std::find_if(ends_.begin() + 1, ends_.end() - 1, [&](double end) { return end >= across; });
+    const double from = *(above - 1), to = *above, share = (across - from) / (to - from);
+    return (1 - share) * wall_.place(1, from) + share * wall_.place(1, to);
   }
 
   /// The cells were laid with the wall flat; seen from its other side they are mirrored.
@@ -155,6 +211,8 @@ class WallBuilder {
   const MiddleLine& line_;
   WallDivision division_;
   std::vector<double> ends_;
+  SideLine inner_, outer_;
+  double last_ring_;  ///< where the ring of cells at the rim begins, m
   WallMesh result_;
   std::map<std::tuple<long long, long long, long long>, Index> numbers_;
   std::map<std::pair<long long, long long>, std::map<long long, Index>> columns_;
@@ -192,6 +250,11 @@ Index divisions(double length, double size) {
   return std::max(Index{1}, static_cast<Index>(std::lround(length / size)));
 }
 
+/// `count` equal parts of a range, without its start.
+void add_knots(double from, double to, Index count, std::vector<double>& knots) {
+  for (Index i = 1; i <= count; ++i) knots.push_back(i == count ? to : from + (to - from) * double(i) / double(count));
+}
+
 }  // namespace
 
 std::vector<double> layer_ends(Index layers) {
@@ -205,17 +268,23 @@ std::vector<double> layer_ends(Index layers) {
 
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
   const MiddleLine line(wall);
-  WallBuilder builder(wall, line, division);
-  const double quarter = M_PI_2, size = division.size;
+  const double quarter = M_PI_2, size = division.size, length = line.length();
+  std::vector<double> knots{0};
   if (division.sector < quarter - 1e-9) {
-    add_rings(builder, {0, line.length(), divisions(line.length(), size), 0, division.sector,
-                        divisions(line.widest() * division.sector, size), false});
+    const Index count = divisions(length, size);
+    add_knots(0, length, count, knots);
+    WallBuilder builder(wall, line, division, knots);
+    add_rings(builder, {0, length, count, 0, division.sector, divisions(line.widest() * division.sector, size), false});
     return builder.take();
   }
   // The square at the axis has half as many cells along a side as a quarter has around.
   const Index side = divisions(0.5 * quarter * line.widest(), size);
   constexpr double narrower = 0.6;  // cells of the square over those around the widest part
-  const double disc = std::min(narrower * side * size, 0.5 * line.length());
+  const double disc = std::min(narrower * side * size, 0.5 * length);
+  const Index rings = divisions(length - disc, size);
+  add_knots(0, disc, side, knots);
+  add_knots(disc, length, rings, knots);
+  WallBuilder builder(wall, line, division, knots);
   const auto quarters = std::lround(division.sector / quarter);
   for (long q = 0; q < quarters; ++q) {
     const double turn = quarter * double(q), cosine = std::cos(turn), sine = std::sin(turn);
@@ -227,7 +296,7 @@ WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
               return std::array{disc * (cosine * x - sine * y), disc * (sine * x + cosine * y)};
             },
             false);
-    add_rings(builder, {disc, line.length(), divisions(line.length() - disc, size), turn, quarter, 2 * side, true});
+    add_rings(builder, {disc, length, rings, turn, quarter, 2 * side, true});
   }
   return builder.take();
 }

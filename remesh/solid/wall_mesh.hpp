@@ -10,7 +10,6 @@ namespace parison::remesh {
 /// A wall as layers of hexahedra: i and j of a cell run along the wall, k from the inner side to the outer one.
 struct WallMesh {
   core::HexMesh mesh;
-  std::vector<WallCoordinates::Place> section;   ///< by node: where it comes from in the section
   std::vector<core::HexFace> inner, outer, rim;  ///< faces of the sides and of the rim
   std::vector<core::SymmetryPlane> planes;       ///< through the axis
   std::vector<std::vector<Index>> columns;       ///< nodes through the wall, from the inner side to the outer one
@@ -24,7 +23,9 @@ struct WallDivision {
 };
 
 /// Turns the section of a wall about the axis. Quarters are closed at the axis by a square of cells (an O-grid),
-/// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards both sides.
+/// smaller sectors by cells whose side on the axis has no area. Layers get thinner towards both sides. Nodes through
+/// the wall lie on the line between its sides, and on each side they go from one ring of cells to the next by equal
+/// lengths: harmonic coordinates alone would bunch them at corners until cells fold.
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division);
 
 /// Where layers end, from the inner side, 0, to the outer one, 1: thinner towards both, as both are cold at times.

@@ -98,13 +98,22 @@ class Straightening {
 
   std::vector<Vector3> run(double wanted) {
     constexpr int rounds = 40, before_sliding = 4;
+    constexpr Reach beside{2, 0.5}, about{8, 0.8};
     std::vector<Vector3> best = mesh_.nodes;
     double best_jacobian = least_jacobian(mesh_);
     for (int round = 0; round < rounds && best_jacobian < wanted; ++round) {
-      const std::vector<double> weight = weights(wanted);
-      if (round >= before_sliding)
-        for (const int end : {0, 1}) slide(end, weight);
-      set_back(weight);
+      if (round == before_sliding) mesh_.nodes = wall_.mesh->nodes;
+      const std::vector<double> weight = weights(wanted, beside);
+      if (round >= before_sliding) {
+        const std::vector<double> far = weights(wanted, about);
+        for (const int end : {0, 1}) {
+          set_upright(end, far);
+          slide(end, weight);
+        }
+        set_back(far);
+      } else {
+        set_back(weight);
+      }
       if (const double now = least_jacobian(mesh_); now > best_jacobian) {
         best_jacobian = now;
         best = mesh_.nodes;
@@ -118,22 +127,26 @@ class Straightening {
     return end == 0 ? (*wall_.columns)[column].front() : (*wall_.columns)[column].back();
   }
 
+  /// How far around bad cells columns move: so many cells, in each by so much less than in the one before.
+  struct Reach {
+    int rings;
+    double fall;
+  };
+
   /// By column how much it may move: wholly at bad cells, less around them, not at the rim.
-  std::vector<double> weights(double wanted) const {
-    constexpr int rings = 2;
-    constexpr double fall = 0.5;
+  std::vector<double> weights(double wanted, const Reach& reach) const {
     std::vector<double> weight(wall_.columns->size(), 0);
     for (Index cell = 0; cell < mesh_.cell_count(); ++cell)
       if (core::least_jacobian(mesh_, cell) < wanted)
         for (const Index node : mesh_.cells[cell]) weight[column_of_[node]] = 1;
-    for (int ring = 0; ring < rings; ++ring) {
+    for (int ring = 0; ring < reach.rings; ++ring) {
       const std::vector<double> before = weight;
       for (const core::QuadFace& face : sides_[1].faces()) {
         double most = 0;
         for (const Index node : face.nodes) most = std::max(most, before[column_of_[node]]);
         for (const Index node : face.nodes) {
           double& own = weight[column_of_[node]];
-          own = std::max(own, fall * most);
+          own = std::max(own, reach.fall * most);
         }
       }
     }
@@ -145,6 +158,33 @@ class Straightening {
   Vector3 on_planes(Index node, Vector3 at) const {
     for (const Vector3& normal : planes_of_[node]) at -= (at - wall_.mesh->nodes[node]).dot(normal) * normal;
     return at;
+  }
+
+  /// Normals of a side as it was, by node.
+  std::vector<Vector3> normals(int end) const {
+    std::vector<Vector3> normal(mesh_.nodes.size(), Vector3::Zero());
+    for (const core::QuadFace& face : sides_[static_cast<std::size_t>(end)].faces())
+      for (int n = 0; n < 9; ++n)
+        normal[face.nodes[static_cast<std::size_t>(n)]] +=
+            core::face_place(mesh_.nodes, face, 0.5 * (n % 3), 0.5 * (n / 3)).area();
+    for (Vector3& one : normal)
+      if (const double length = one.norm(); length > 0) one /= length;
+    return normal;
+  }
+
+  /// Ends of columns that lean go towards each other along the wall, each on its side as it was.
+  void set_upright(int end, const std::vector<double>& weight) {
+    constexpr double share = 0.25;  // of the way; as much is for the other end
+    const std::vector<Vector3> normal = normals(end);
+    const auto& side = sides_[static_cast<std::size_t>(end)];
+    for (std::size_t c = 0; c < weight.size(); ++c) {
+      const Index node = end_node(c, end);
+      if (weight[c] == 0 || planes_of_[node].size() > 1) continue;
+      Vector3 lean = mesh_.nodes[end_node(c, 1 - end)] - mesh_.nodes[node];
+      lean -= lean.dot(normal[node]) * normal[node];
+      mesh_.nodes[node] =
+          on_planes(node, side.nearest(node, on_planes(node, mesh_.nodes[node] + share * weight[c] * lean)));
+    }
   }
 
   /// Ends of columns go towards the middle of their neighbours, on the side as it was.

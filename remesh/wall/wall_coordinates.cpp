@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh/wall/wall_coordinates.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "core/linear/cholesky.hpp"
 #include "core/mesh/element.hpp"
@@ -74,21 +76,40 @@ core::Mesh rectangle_of(const core::Mesh& section, const WallSides& sides) {
 }  // namespace
 
 WallCoordinates::WallCoordinates(const core::Mesh& section, const WallSides& sides)
-    : section_(&section), rectangle_(rectangle_of(section, sides)), cells_(rectangle_) {}
+    : section_(&section), part_(sides.part), rectangle_(rectangle_of(section, sides)), cells_(rectangle_) {}
 
-WallCoordinates::Place WallCoordinates::place(double along, double across) const {
+core::Point WallCoordinates::place(double along, double across) const {
   const CellGrid::Found found = cells_.find({along, across});
   const auto shape = core::triangle_shape(found.at[0], found.at[1]);
   core::Point at = core::Point::Zero();
   for (int i = 0; i < 6; ++i) at += shape[i] * section_->nodes[section_->cells()[found.cell][i]];
-  return {at, found};
+  return at;
 }
 
-double WallCoordinates::value(const Eigen::VectorXd& field, const Place& at) const {
-  const auto shape = core::triangle_shape(at.found.at[0], at.found.at[1]);
-  double value = 0;
-  for (int i = 0; i < 6; ++i) value += shape[i] * field[section_->cells()[at.found.cell][i]];
-  return value;
+std::vector<WallCoordinates::SidePoint> WallCoordinates::side(SurfacePart part) const {
+  constexpr int pieces = 8;  // of an edge
+  const auto& edges = section_->boundary_edges();
+  const auto along = [&](Index node) { return rectangle_.nodes[node][0]; };
+  std::vector<std::array<Index, 3>> chain;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (part_[e] != part) continue;
+    auto nodes = edges[e].nodes;
+    if (along(nodes[0]) > along(nodes[1])) std::swap(nodes[0], nodes[1]);
+    chain.push_back(nodes);
+  }
+  std::sort(chain.begin(), chain.end(), [&](const auto& a, const auto& b) { return along(a[2]) < along(b[2]); });
+  std::vector<SidePoint> points{{along(chain.front()[0]), section_->nodes[chain.front()[0]]}};
+  for (const auto& nodes : chain)
+    for (int i = 1; i <= pieces; ++i) {
+      const auto shape = core::edge_shape(double(i) / pieces);
+      SidePoint point{0, core::Point::Zero()};
+      for (int n = 0; n < 3; ++n) {
+        point.along += shape[n] * along(nodes[n]);
+        point.at += shape[n] * section_->nodes[nodes[n]];
+      }
+      points.push_back(point);
+    }
+  return points;
 }
 
 }  // namespace parison::remesh

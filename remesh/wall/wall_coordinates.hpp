@@ -17,18 +17,20 @@ class WallCoordinates {
   /// Throws core::RunError with the reason where the section is no such wall. `section` must outlive this object.
   WallCoordinates(const core::Mesh& section, const WallSides& sides);
 
-  /// The place in the section with these coordinates: (r, z), m, and where it lies in the mesh.
-  struct Place {
-    core::Point at;
-    CellGrid::Found found;
+  /// The place in the section with two coordinates: (r, z), m.
+  core::Point place(double along, double across) const;
+
+  /// Points of the inner or the outer side in their order from the axis to the rim.
+  struct SidePoint {
+    double along;
+    core::Point at;  ///< (r, z), m
   };
-  Place place(double along, double across) const;
-  /// Value of a nodal field of the section at a place.
-  double value(const Eigen::VectorXd& field, const Place& at) const;
+  std::vector<SidePoint> side(SurfacePart part) const;
 
  private:
   const core::Mesh* section_;
-  core::Mesh rectangle_;  ///< the same cells in these coordinates
+  std::vector<SurfacePart> part_;  ///< by boundary edge of the section
+  core::Mesh rectangle_;           ///< the same cells in these coordinates
   CellGrid cells_;
 };
 

@@ -131,6 +131,19 @@ TEST(WallLight, balls_emit_what_the_exact_integrals_say) {
   clear.at_most(2);
 }
 
+TEST(WallLight, sides_that_are_nearly_as_large_do_no_more_than_equal_ones) {
+  const auto& rule = core::edge_rule(3);
+  std::vector<SlabLayer> layers;
+  for (const double thickness : {3e-4, 5e-4, 3e-4})
+    layers.emplace_back(thickness, std::array<double, 3>{rule[0].s, rule[1].s, rule[2].s});
+  const auto through = [&](double larger) {
+    return SlabLight(1.518).exchange(layers, {30, 30, 30}, {1e-6, 1e-6 * (1 + larger)}).through;
+  };
+  const auto exact = through(0);
+  for (const double larger : {-1e-6, -1e-8, 1e-14, 1e-11, 1e-9, 1e-7, 1e-6})
+    EXPECT_LT((through(larger) - exact).norm(), 2 * std::sqrt(std::abs(larger)) * exact.norm()) << larger;
+}
+
 /// A slab's history by discrete ordinates, as in tests/verification/test_light_slabs.cpp: degC and kJ/m2.
 struct History {
   const char* name;
@@ -209,6 +222,23 @@ TEST(WallLight, in_equilibrium_nothing_happens) {
   slab.mass = masses(slab.glass.mesh, core::hexahedron_table(), slab.material);
   SolidStepMatrix matrix;
   const StepOutcome end = advance(slab.problem(1000, 800), 0, slab.temperature, 1, {}, matrix);
+  ASSERT_TRUE(end.converged) << end.reason;
+  EXPECT_LT((end.temperature[0].array() - 1000).abs().maxCoeff(), 1e-8);
+}
+
+TEST(WallLight, in_equilibrium_nothing_happens_also_where_ways_through_the_wall_are_bent) {
+  Slab slab(glass_of(amber), 0.004, 3, 1000);
+  const std::vector<Vector3> upright = slab.glass.mesh.nodes;
+  constexpr double lean = 2;
+  for (const auto& cell : slab.glass.mesh.cells)
+    for (int n = 0; n < 27; ++n) {  // nodes in the middle of a layer stay above those of its low side
+      const double height = upright[cell[n < 18 ? n % 9 : n]][2];
+      slab.glass.mesh.nodes[cell[n]][0] = upright[cell[n]][0] + lean * height;
+    }
+  slab.mass = masses(slab.glass.mesh, core::hexahedron_table(), slab.material);
+  ASSERT_GT(slab.mass.minCoeff(), 0);
+  SolidStepMatrix matrix;
+  const StepOutcome end = advance(slab.problem(1000), 0, slab.temperature, 1, {}, matrix);
   ASSERT_TRUE(end.converged) << end.reason;
   EXPECT_LT((end.temperature[0].array() - 1000).abs().maxCoeff(), 1e-8);
 }

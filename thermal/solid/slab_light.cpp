@@ -174,7 +174,9 @@ Eigen::MatrixXd slopes_of(const std::vector<Ray>& rays, const std::vector<double
 
 void add_ray(const Ray& ray, const Beam& beam, SlabExchange& made) {
   const auto& [first, last] = ray.reflected;
-  const double all = ray.weight / (1 - first * last * beam.through * beam.through);
+  const double lost = 1 - first * last * beam.through * beam.through;
+  if (!(lost > 0)) return;  // it comes into no layer: both of its sides are nearly as large as its invariant
+  const double all = ray.weight / lost;
   const Eigen::VectorXd to_first = beam.first + last * beam.through * beam.last,
                         to_last = beam.last + first * beam.through * beam.first;
   made.between.triangularView<Eigen::Lower>() +=

@@ -162,6 +162,16 @@ std::array<double, 3> places_of(const std::array<core::Vector3, 3>& at) {
   return places;
 }
 
+/// A layer whose points lie where they do; as in an even one where the way through it is so bent that the parabola
+/// through them would give a point no share of the layer.
+SlabLayer layer_of(double thickness, const std::array<core::Vector3, SlabLayer::places>& at) {
+  constexpr double least_share = 0.05;
+  SlabLayer layer(thickness, places_of(at));
+  if (*std::min_element(layer.weight.begin(), layer.weight.end()) >= least_share) return layer;
+  const auto& rule = core::edge_rule(SlabLayer::places);
+  return {thickness, {rule[0].s, rule[1].s, rule[2].s}};
+}
+
 /// The layers along a line, as thick as their volume over their mean area.
 std::vector<SlabLayer> layers_of(const LightLine& line, const Positions& positions,
                                  const std::vector<double>& layer_volume, const std::vector<double>& radii) {
@@ -170,7 +180,7 @@ std::vector<SlabLayer> layers_of(const LightLine& line, const Positions& positio
   for (std::size_t c = 0; c < layer_volume.size(); ++c) {
     std::array<core::Vector3, places> at;
     for (int i = 0; i < places; ++i) at[i] = positions.col(line.points[places * c + i]);
-    layers.emplace_back(layer_volume[c] / mean_area(radii[c], radii[c + 1]), places_of(at));
+    layers.push_back(layer_of(layer_volume[c] / mean_area(radii[c], radii[c + 1]), at));
   }
   return layers;
 }

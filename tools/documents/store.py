@@ -66,6 +66,8 @@ RUNS = {
     "flute": {"draft": ("draft", []), "standard": ("standard", [])},
     "uneven": {"draft": ("draft", []), "even": ("draft", ["dimension.dwell=1.7 s", "dimension.reheat=1.6 s", "dimension.run=0.5 s"])},
     "square_jar": {"draft": ("draft", [])},
+    "square_spirit": {"sketch": ("draft coarser 2", [])},
+    "flask": {"sketch": ("draft coarser 2", [])},
     "sag": {"draft": ("draft", []), "standard": ("standard", [])},
     "vial": {"draft": ("draft", []), "standard": ("standard", [])},
     "contact_cylinders": {"draft": ("draft", [])},

@@ -232,7 +232,7 @@ def expected():
     import expect
 
     for case in store.RUNS:
-        found = store.run(case, "draft")["expectations"]
+        found = store.run(case, "draft" if "draft" in store.RUNS[case] else next(iter(store.RUNS[case])))["expectations"]
         for entry in tomllib.loads((ROOT / "cases" / case / "expect.toml").read_text())["expect"]:
             for label, _, bounds in expect.expectations(entry):
                 if label not in found:
