@@ -24,7 +24,7 @@ constexpr Index steps_to_checkpoint = 8;
 /// Where glass is larger than a tool that a stage brings, as a sentence; empty where it is so by no more than bearable,
 /// m.
 std::string larger_than_tool(const RunInProgress& run, const SolidState& solid, Index stage, double bearable) {
-  const SolidOverlap overlap = deepest_overlap(run.scene, run.outcome.state, solid, stage);
+  const SolidOverlap overlap = deepest_overlap(run.scene, run.outcome.state, solid, stage, SolidTools::coming);
   if (overlap.depth <= bearable) return "";
   const std::string& tool = run.scene.tools[overlap.tool].name;
   const std::string start =

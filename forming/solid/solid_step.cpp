@@ -20,13 +20,9 @@ const StageTool* active_entry(const Scene& scene, const State& clock, Index tool
   return nullptr;
 }
 
-/// Whether a stage brings a tool to its place: those that stay have the glass where contact has put it.
-bool comes_into_place(const Scene& scene, Index stage, Index tool) {
-  const auto has = [&](Index of) {
-    const auto& tools = scene.stages[of].tools;
-    return std::any_of(tools.begin(), tools.end(), [&](const StageTool& entry) { return entry.tool == tool; });
-  };
-  return has(stage) && (stage == 0 || !has(stage - 1));
+bool has_tool(const Stage& stage, Index tool) {
+  return std::any_of(stage.tools.begin(), stage.tools.end(),
+                     [&](const StageTool& entry) { return entry.tool == tool; });
 }
 
 /// The flow of the present stage over dt, s. Its tools are those of the solid in place; `places` says which.
@@ -130,10 +126,12 @@ double propose_solid_step(const Scene& scene, const State& clock, const SolidSta
   return flow::propose_step(problem, solid.glass, limits);
 }
 
-SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid, Index stage) {
+SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid, Index stage,
+                             SolidTools tools) {
   SolidOverlap deepest;
   for (const SolidTool& tool : solid.tools) {
-    if (!comes_into_place(scene, stage, tool.tool)) continue;
+    const bool was_there = stage > 0 && has_tool(scene.stages[stage - 1], tool.tool);
+    if (!has_tool(scene.stages[stage], tool.tool) || (tools == SolidTools::coming && was_there)) continue;
     const Vector3 offset = clock.tools[tool.tool].offset * Vector3::UnitZ();
     for (const core::HexFace& face : solid.faces)
       for (const Index node : core::face_node_numbers(solid.glass.mesh, face)) {

@@ -32,13 +32,16 @@ double propose_solid_step(const Scene& scene, const State& clock, const SolidSta
 /// The place along the axis of a tool at a time since the present stage's start, m.
 double tool_offset(const Scene& scene, const State& clock, Index tool, double stage_time);
 
-/// The deepest place of the glass in a tool that a stage brings to its place.
+/// All tools of a stage, or those that it brings to their places.
+enum class SolidTools { all, coming };
+/// The deepest place of the glass in such a tool.
 struct SolidOverlap {
   double depth = 0;                          ///< m
   Index tool = -1;                           ///< index into Scene::tools; -1: none overlaps
   core::Vector3 at = core::Vector3::Zero();  ///< m
   bool is_end = false;                       ///< the tool faces along the axis there: the glass is too long
 };
-SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid, Index stage);
+SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const SolidState& solid, Index stage,
+                             SolidTools tools);
 
 }  // namespace parison::forming

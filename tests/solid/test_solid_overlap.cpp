@@ -36,7 +36,8 @@ struct Hanging {
   }
   SolidOverlap overlap(const std::string& stage) const {
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
-      if (scene.stages[s].name == stage) return deepest_overlap(scene, clock, solid, static_cast<Index>(s));
+      if (scene.stages[s].name == stage)
+        return deepest_overlap(scene, clock, solid, static_cast<Index>(s), SolidTools::coming);
     return {};
   }
 };

@@ -19,7 +19,7 @@ void add_solid_checks(const Scene& scene, const State& clock, const SolidState& 
   checks.push_back({"solid_heat", solid.totals.heat_imbalance / std::abs(solid.totals.start_heat), kept, lost, "",
                     "so much of the heat of the glass in space is explained by no surface"});
   constexpr double bearable = 1e-4, severe = 1e-3;  // m
-  const SolidOverlap overlap = deepest_overlap(scene, clock, solid, clock.stage);
+  const SolidOverlap overlap = deepest_overlap(scene, clock, solid, clock.stage, SolidTools::all);
   checks.push_back({"solid_penetration", overlap.depth, bearable, severe, "mm",
                     fmt::format("the glass in space lies so deep in \"{}\" at ({:.1f}, {:.1f}, {:.1f}) mm; a smaller "
                                 "numerics.surface_size helps",
