@@ -112,7 +112,7 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   const Scene scene = scene_of(small_scene);
   const State state = busy_state(scene);
   const std::string folder = tests::new_folder();
-  write_checkpoint(folder, scene, {{state, some_facts()}, {1L << 33, 5, 7, {0, 1 / 3.0}, 1 / 9.0}});
+  write_checkpoint(folder, scene, {{state, some_facts()}, {1L << 33, 5, 7, {0, 1 / 3.0}, 11, {1 / 7.0}, 1 / 9.0}});
   const Checkpoint checkpoint = read_checkpoint(find_checkpoint(folder), scene);
   const State& read = checkpoint.outcome.state;
   const auto written = bits_of(state), found = bits_of(read);
@@ -122,6 +122,8 @@ TEST(Checkpoint, a_state_comes_back_to_the_bit) {
   EXPECT_EQ(checkpoint.files.history_size, 1L << 33);
   EXPECT_EQ(checkpoint.files.tools_size, 5);
   EXPECT_EQ(checkpoint.files.interface_size, 7);
+  EXPECT_EQ(checkpoint.files.solid_history_size, 11);
+  EXPECT_EQ(checkpoint.files.solid_output_times, (std::vector<double>{1 / 7.0}));
   EXPECT_EQ(checkpoint.files.stage_lowest, 1 / 9.0);
   EXPECT_EQ(checkpoint.files.output_times, (std::vector<double>{0, 1 / 3.0}));
   const RunFacts& facts = checkpoint.outcome.facts;
@@ -198,7 +200,7 @@ TEST(Checkpoint, one_of_another_case_file_accuracy_or_version_is_refused_with_a_
   const std::string kept = path + ".kept";
   std::filesystem::copy_file(path, kept);
   core::write_hdf5(path, [](core::Hdf5Group& file) { file.write("version", std::int64_t{99}); });
-  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 15");
+  EXPECT_EQ(complaint_of_reading(path, scene), path + ": a checkpoint of version 99 was found, allowed is version 16");
   const std::int64_t version = core::open_hdf5(kept).read_integer("version");
   core::write_hdf5(path, [&](core::Hdf5Group& file) {
     file.write("version", version);
