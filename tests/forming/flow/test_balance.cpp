@@ -61,7 +61,8 @@ TEST(StiffSkin, layers_of_ten_and_twelve_decades_flow_exactly) {
 }
 
 /// Glass between 598 degC on a fixed floor and 1200 degC at its top, pulled sideways by a unit force: its own law takes
-/// the viscosity from 3e10, the most in the flow, to 1e2 Pa.s. Largest error of a node's velocity, relative to the exact one there.
+/// the viscosity from 3e10, the most in the flow, to 1e2 Pa.s. Largest error of a node's velocity, relative to the
+/// exact one there.
 double skin_error(Index n) {
   constexpr double cold = 871, hot = 1473;
   FlowProblem flow(tests::structured(2, n, [](double s, double t) { return Point(0.1 * s, t); }), Geometry::planar);
