@@ -27,37 +27,41 @@ struct FlatPlace {
 
 constexpr int line_pieces = 2000;
 
-/// The middle line of a wall by its length, m: `along` of the wall's coordinates there.
-class MiddleLine {
+/// A wall by a length, m, that grows as that of its longer side: on neither side is a cell then longer than asked for.
+/// `along` of the wall's coordinates there.
+class WallLine {
  public:
-  explicit MiddleLine(const WallCoordinates& wall) {
-    core::Point before = wall.place(0, middle);
+  explicit WallLine(const WallCoordinates& wall) {
+    const auto places = [&](double along) {
+      return std::array{wall.place(along, 0), wall.place(along, 0.5), wall.place(along, 1)};
+    };
+    auto before = places(0);
     for (int i = 0; i <= line_pieces; ++i) {
       const double along = double(i) / line_pieces;
-      const core::Point at = wall.place(along, middle);
-      const double arc = i == 0 ? 0 : table_.x.back() + (at - before).norm();
-      if (i > 0 && arc <= table_.x.back()) continue;
-      table_.x.push_back(arc);
+      const auto at = places(along);
+      double way = 0;
+      for (std::size_t k = 0; k < at.size(); ++k) way = std::max(way, (at[k] - before[k]).norm());
+      if (i > 0 && way == 0) continue;
+      table_.x.push_back(i == 0 ? 0 : table_.x.back() + way);
       table_.y.push_back(along);
-      widest_ = std::max(widest_, at[0]);
+      widest_ = std::max(widest_, at[1][0]);
       before = at;
     }
   }
   double length() const { return table_.x.back(); }
-  double widest() const { return widest_; }  ///< largest radius, m
+  double widest() const { return widest_; }  ///< largest radius of its middle, m
   double along(double arc) const { return arc > length() * (1 - 1e-12) ? 1 : table_(arc); }
 
  private:
-  static constexpr double middle = 0.5;
   core::Table table_;
   double widest_ = 0;
 };
 
-/// One side of a wall by the length of the middle line, m. At knots it is where the wall's coordinates have it, between
+/// One side of a wall by the length of the wall, m. At knots it is where the wall's coordinates have it, between
 /// them the side goes on by equal lengths.
 class SideLine {
  public:
-  SideLine(const WallCoordinates& wall, const MiddleLine& line, SurfacePart part, const std::vector<double>& knots) {
+  SideLine(const WallCoordinates& wall, const WallLine& line, SurfacePart part, const std::vector<double>& knots) {
     const auto points = wall.side(part);
     core::Table arc_of;  // by `along`
     double arc = 0;
@@ -73,14 +77,14 @@ class SideLine {
     arc_of.y.back() = arc;
     for (const double knot : knots) arc_.x.push_back(knot), arc_.y.push_back(arc_of(line.along(knot)));
   }
-  core::Point place(double middle_arc) const {
-    const double arc = arc_(middle_arc);
+  core::Point place(double wall_arc) const {
+    const double arc = arc_(wall_arc);
     return {r_(arc), z_(arc)};
   }
 
  private:
   core::Table r_, z_;  ///< by the length of the side
-  core::Table arc_;    ///< length of the side, by that of the middle line
+  core::Table arc_;    ///< length of the side, by that of the wall
 };
 
 /// A point of the unit square laid into a quarter disc of radius 1: more square than round, so that the corner of the
@@ -102,8 +106,8 @@ std::array<double, 2> border_of_disc(double share) {
 /// Collects cells and joins their nodes where they share a place.
 class WallBuilder {
  public:
-  /// `knots`: lengths of the middle line at which rings of cells end, from 0 to its whole length.
-  WallBuilder(const WallCoordinates& wall, const MiddleLine& line, const WallDivision& division,
+  /// `knots`: lengths of the wall at which rings of cells end, from 0 to its whole length.
+  WallBuilder(const WallCoordinates& wall, const WallLine& line, const WallDivision& division,
               const std::vector<double>& knots)
       : wall_(wall),
         line_(line),
@@ -208,7 +212,7 @@ class WallBuilder {
   }
 
   const WallCoordinates& wall_;
-  const MiddleLine& line_;
+  const WallLine& line_;
   WallDivision division_;
   std::vector<double> ends_;
   SideLine inner_, outer_;
@@ -267,7 +271,7 @@ std::vector<double> layer_ends(Index layers) {
 }
 
 WallMesh turn_wall(const WallCoordinates& wall, const WallDivision& division) {
-  const MiddleLine line(wall);
+  const WallLine line(wall);
   const double quarter = M_PI_2, size = division.size, length = line.length();
   std::vector<double> knots{0};
   if (division.sector < quarter - 1e-9) {

@@ -159,6 +159,18 @@ TEST(SolidContact, GlassSlidesOnAToolByItsFriction) {
   }
 }
 
+TEST(SolidContact, GlassThatAToolGripsDoesNotCreepIntoIt) {
+  Box box;
+  box.hold(0);
+  box.hold(1);
+  box.problem.tools[0].friction.law = flow::Friction::Law::grip;
+  flow::FlowMatrix matrix(box.glass.mesh, box.problem.planes, {});
+  const double face = std::sqrt(2e-3 * 1.5e-3), lowest = box.glass.mesh.nodes.front()[2];
+  for (int step = 0; step < 50; ++step) ASSERT_TRUE(flow::step_flow(box.problem, matrix, box.glass, 0.1).accepted);
+  expect_at_most("depth of glass in a tool that grips after 5 s of blow, over the size of a face",
+                 (lowest - box.glass.mesh.nodes.front()[2]) / face, 4e-3);
+}
+
 /// A square cavity, open above, with round corners and heel.
 class Cavity : public contact::ToolSurface {
  public:

@@ -99,15 +99,16 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
 
 /// By the velocity that is expected, until glass lands it slides by that.
 void ToolContact::expect(Point& point) const {
-  point.tolerated = std::min(point.start_gap, 0.0);
+  point.tied = point.tool >= 0 && problem_->tools[point.tool].friction.law == Friction::Law::grip &&
+               point.start_gap <= grip_reach;
+  point.tolerated = point.tied ? point.start_gap : std::min(point.start_gap, 0.0);
   if (const double deeper = point.tolerated + tolerated_share * point.size; deeper < 0)
     point.tolerated -= (1 - kept_depth) * deeper;
   if (point.tool < 0) return;
   const auto& [surface, offset, velocity, friction] = problem_->tools[point.tool];
   const double landed =
       point.start_gap > 0 && point.gap < 0 ? point.gap / (point.gap - point.start_gap) : 1;  // share of the step
-  point.slide_target = velocity + (1 - landed) * (point.velocity - velocity);
-  point.tied = friction.law == Friction::Law::grip && point.start_gap <= grip_reach;
+  point.slide_target = point.tied ? velocity : velocity + (1 - landed) * (point.velocity - velocity);
   if (point.tied)
     point.drag = grip_drag;
   else if (friction.law == Friction::Law::navier)
@@ -139,14 +140,12 @@ double ToolContact::pressure(const Point& point) const {
 
 Vector3 ToolContact::traction(const Point& point) const {
   if (point.tool < 0) return Vector3::Zero();
-  if (point.tied) return -point.drag * (point.velocity - problem_->tools[point.tool].velocity);
   const Vector3 slip = point.velocity - point.slide_target;
   return pressure(point) * point.normal - point.drag * (slip - slip.dot(point.normal) * point.normal);
 }
 
 /// Minus the derivative of the traction.
 Eigen::Matrix3d ToolContact::slope(const Point& point) const {
-  if (point.tied) return point.drag * Eigen::Matrix3d::Identity();
   return point.drag * Eigen::Matrix3d::Identity() +
          (point.stiffness - point.drag) * point.normal * point.normal.transpose();
 }
@@ -208,7 +207,7 @@ std::vector<SolidContact> ToolContact::contact() const {
   std::vector<SolidContact> all = all_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Point& point = points_[k];
-    const double p = point.tied ? traction(point).dot(point.normal) : std::max(pressure(point), 0.0);
+    const double p = point.tied && point.tool >= 0 ? pressure(point) : std::max(pressure(point), 0.0);
     const bool presses = point.touches && p > 0;
     all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, presses || point.tied, point.touches && !presses};
   }
