@@ -9,7 +9,12 @@
 
 #include "core/case/case_error.hpp"
 #include "core/io/written_files.hpp"
+#include "forming/report/files/case_copy.hpp"
 #include "forming/report/solid/solid_files.hpp"
+#include "forming/report/solid/space_files.hpp"
+#include "forming/run/checkpoint.hpp"
+#include "forming/scene/describe/round_glass.hpp"
+#include "forming/scene/scene.hpp"
 
 namespace parison::tools {
 namespace {
@@ -30,6 +35,43 @@ void tell(const std::string& path, const std::string& what, double volume, doubl
              100 * (volume / glass - 1));
 }
 
+void tell_shell(const std::string& path, const forming::ShellMesh& shell, double glass) {
+  tell(path, fmt::format("{} shells, {} nodes", shell.elements, shell.nodes), shell.volume, glass);
+  fmt::print("  the shell has no rim, no bead and no foot: its volume differs from that of the glass by these\n");
+}
+
+void tell_glass(const std::string& results, double glass) {
+  fmt::print("glass of {}: {:.3f} cm3; all files in mm\n", results, glass / cubic_centimetre);
+}
+
+int export_round(const ExportRequest& request) {
+  const forming::ContainerShape shape = forming::read_container_shape(request.results);
+  const double glass = forming::revolved_volume(shape);
+  tell_glass(request.results, glass);
+  if (!request.step.empty()) tell(request.step, "solid of revolution", forming::write_step(request.step, shape), glass);
+  if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, shape), glass);
+  if (!request.shell.empty()) tell_shell(request.shell, forming::write_shell(request.shell, shape), glass);
+  return 0;
+}
+
+/// The glass in space of a finished run is that of its last checkpoint.
+int export_space(const ExportRequest& request) {
+  if (!request.step.empty())
+    throw core::CaseError(
+        fmt::format("{}: glass in space was found, allowed with --step is round glass; --stl and --shell have its form",
+                    request.results));
+  const std::string checkpoint = forming::find_checkpoint(request.results);
+  const forming::CaseOrigin origin = forming::read_origin(checkpoint);
+  const forming::Scene scene =
+      forming::read_scene(forming::case_copy_folder(request.results), origin.accuracy, origin.overrides);
+  const auto solid = forming::read_checkpoint(checkpoint, scene).outcome.solid;
+  const double glass = forming::whole_volume(*solid);
+  tell_glass(request.results, glass);
+  if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, *solid), glass);
+  if (!request.shell.empty()) tell_shell(request.shell, forming::write_shell(request.shell, *solid), glass);
+  return 0;
+}
+
 }  // namespace
 
 int export_container(const ExportRequest& request) {
@@ -39,17 +81,7 @@ int export_container(const ExportRequest& request) {
   check_name("--stl", request.stl, {".stl"});
   check_name("--shell", request.shell, {".inp"});
   for (const std::string& path : {request.step, request.stl, request.shell}) core::require_own(path);
-  const forming::ContainerShape shape = forming::read_container_shape(request.results);
-  const double glass = forming::revolved_volume(shape);
-  fmt::print("glass of {}: {:.3f} cm3; all files in mm\n", request.results, glass / cubic_centimetre);
-  if (!request.step.empty()) tell(request.step, "solid of revolution", forming::write_step(request.step, shape), glass);
-  if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, shape), glass);
-  if (!request.shell.empty()) {
-    const forming::ShellMesh shell = forming::write_shell(request.shell, shape);
-    tell(request.shell, fmt::format("{} shells S8, S6, {} nodes", shell.elements, shell.nodes), shell.volume, glass);
-    fmt::print("  the shell has no rim, no bead and no foot: its volume differs from that of the glass by these\n");
-  }
-  return 0;
+  return forming::is_in_space(request.results) ? export_space(request) : export_round(request);
 }
 
 }  // namespace parison::tools

@@ -14,7 +14,6 @@
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
 #include "core/math/numbers.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 
 namespace parison::forming {
 namespace {
@@ -105,7 +104,6 @@ void require_revolution(const std::string& directory) {
 }  // namespace
 
 ContainerShape read_container_shape(const std::string& directory) {
-  require_round_results(directory, "`parison export`");
   require_revolution(directory);
   ContainerShape shape;
   const std::string path = directory + "/contour.csv";

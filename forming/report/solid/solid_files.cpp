@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,6 +18,7 @@
 #include "core/process/gmsh_module.hpp"
 #include "core/process/run_error.hpp"
 #include "forming/report/solid/step_solid.hpp"
+#include "forming/report/solid/triangles.hpp"
 
 namespace parison::forming {
 
@@ -60,45 +58,6 @@ double volume_of_step(const std::string& path) {
 namespace {
 
 using core::Point;
-using Space = std::array<double, 3>;
-
-/// Triangles as a binary STL file has them, and the volume they enclose, in the unit of the corners.
-class Triangles {
- public:
-  void add(const Space& a, const Space& b, const Space& c) {
-    const Space u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const Space normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double size = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    if (size == 0) return;
-    for (const double component : normal) add_float(component / size);
-    for (const Space* corner : {&a, &b, &c})
-      for (const double component : *corner) add_float(component);
-    bytes_.append(2, '\0');
-    ++count_;
-    volume_ += (a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2]) / 6;
-  }
-  double volume() const { return volume_; }
-  std::string file() const {
-    std::string head = "Parison: container of glass, mm";
-    head.resize(80, ' ');
-    std::string number(sizeof count_, '\0');
-    std::memcpy(number.data(), &count_, sizeof count_);
-    return head + number + bytes_;
-  }
-
- private:
-  void add_float(double value) {
-    const auto single = static_cast<float>(value);
-    char bytes[sizeof single];
-    std::memcpy(bytes, &single, sizeof single);
-    bytes_.append(bytes, sizeof single);
-  }
-
-  std::uint32_t count_ = 0;
-  std::string bytes_;
-  double volume_ = 0;
-};
-
 /// Sides around so that the middle of a side is within `deviation` of the circle of the widest place; of a small glass
 /// so many that they enclose 0.05 % less than the circle at the most.
 int sides_around(const std::vector<Point>& points, double deviation) {
@@ -115,8 +74,8 @@ double write_stl(const std::string& path, const ContainerShape& shape, double de
   const int sides = sides_around(points, deviation);
   const auto at = [&](const Point& x, int side) {
     const double angle = 2 * M_PI * (side % sides) / sides;
-    return Space{x[0] * std::cos(angle) / core::millimetre, x[0] * std::sin(angle) / core::millimetre,
-                 x[1] / core::millimetre};
+    return core::Vector3{x[0] * std::cos(angle) / core::millimetre, x[0] * std::sin(angle) / core::millimetre,
+                         x[1] / core::millimetre};
   };
   Triangles triangles;
   for (std::size_t i = 0; i + (shape.is_loop ? 0 : 1) < points.size(); ++i) {
@@ -226,6 +185,21 @@ double shell_volume(const std::vector<MidPoint>& points) {
 
 }  // namespace
 
+std::string shell_text(const std::string& remark, const ShellLines& lines) {
+  std::string text =
+      "** Container by Parison: the middle of the wall. Units: mm, t, s, N, MPa. A positive pressure on WALL acts from "
+      "inside.\n" +
+      remark;
+  text += "*NODE, NSET=CONTAINER\n" + lines.nodes;
+  if (!lines.eight.empty()) text += "*ELEMENT, TYPE=S8, ELSET=WALL\n" + lines.eight;
+  if (!lines.six.empty()) text += "*ELEMENT, TYPE=S6, ELSET=WALL\n" + lines.six;
+  text += "*NODAL THICKNESS\n" + lines.thickness;
+  return text +
+         "** Soda-lime glass at room temperature: Young's modulus, Poisson's ratio, density.\n"
+         "*MATERIAL, NAME=GLASS\n*ELASTIC\n70000., 0.22\n*DENSITY\n2.5e-9\n"
+         "*SHELL SECTION, ELSET=WALL, MATERIAL=GLASS, NODAL THICKNESS\n1.\n";
+}
+
 ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int divisions) {
   if (shape.middle.size() < 3) throw core::CaseError(fmt::format("{}: the glass is no wall, it has no middle", path));
   double radius = 0;
@@ -240,20 +214,9 @@ ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int 
   const std::string coordinates = node_lines(points, around, thickness);
   long count = 0;
   add_elements(nodes, points.size(), around, eight, six, count);
-  std::string text =
-      "** Container by Parison: the middle of the wall. Units: mm, t, s, N, MPa. A positive pressure on WALL acts from "
-      "inside.\n";
-  text +=
+  const std::string remark =
       fmt::format("** {:.1f} % of its length joins stretches of wall across feet and beads.\n", 100 * shape.bridged);
-  text += "*NODE, NSET=CONTAINER\n" + coordinates;
-  if (!eight.empty()) text += "*ELEMENT, TYPE=S8, ELSET=WALL\n" + eight;
-  if (!six.empty()) text += "*ELEMENT, TYPE=S6, ELSET=WALL\n" + six;
-  text += "*NODAL THICKNESS\n" + thickness;
-  text +=
-      "** Soda-lime glass at room temperature: Young's modulus, Poisson's ratio, density.\n"
-      "*MATERIAL, NAME=GLASS\n*ELASTIC\n70000., 0.22\n*DENSITY\n2.5e-9\n"
-      "*SHELL SECTION, ELSET=WALL, MATERIAL=GLASS, NODAL THICKNESS\n1.\n";
-  core::replace_file(path, text);
+  core::replace_file(path, shell_text(remark, {coordinates, thickness, eight, six}));
   return {count, nodes.count(), shell_volume(points)};
 }
 

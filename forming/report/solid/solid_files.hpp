@@ -17,6 +17,13 @@ double volume_of_step(const std::string& path);
 /// `deviation`, m, and are 120 at least. Returns the volume that they enclose, m3.
 double write_stl(const std::string& path, const ContainerShape& shape, double deviation = 1e-5);
 
+/// Lines of an input file for CalculiX or Abaqus: nodes, their thicknesses, shells of eight and of six nodes.
+struct ShellLines {
+  std::string nodes, thickness, eight, six;
+};
+/// The whole file, with a remark of its own.
+std::string shell_text(const std::string& remark, const ShellLines& lines);
+
 /// A shell that was written.
 struct ShellMesh {
   long elements, nodes;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "forming/report/solid/space_files.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "core/io/files.hpp"
+#include "core/math/numbers.hpp"
+#include "core/solid/hex_geometry.hpp"
+#include "forming/report/solid/triangles.hpp"
+#include "forming/report/wall/solid_wall.hpp"
+
+namespace parison::forming {
+
+namespace {
+
+using core::Vector3;
+
+/// The whole turn about the axis from a sector between planes of symmetry: every second copy is mirrored.
+class Copies {
+ public:
+  explicit Copies(const SolidState& solid)
+      : count_(static_cast<int>(std::lround(1 / solid.share))), sector_(2 * M_PI * solid.share) {}
+  int count() const { return count_; }
+  static bool is_mirrored(int copy) { return copy % 2 == 1; }
+  /// A point of a copy, mm, to a nanometre: copies meet in the same nodes.
+  Vector3 millimetres(const Vector3& at, int copy) const {
+    constexpr double per_nanometre = 1e6;  // mm
+    const double turn = sector_ * (is_mirrored(copy) ? copy + 1 : copy), cosine = std::cos(turn), sine = std::sin(turn);
+    const double y = is_mirrored(copy) ? -at[1] : at[1];
+    const Vector3 turned(cosine * at[0] - sine * y, sine * at[0] + cosine * y, at[2]);
+    return ((per_nanometre / core::millimetre * turned).array().round() / per_nanometre + 0.0).matrix();
+  }
+
+ private:
+  int count_;
+  double sector_;
+};
+
+Vector3 at_place(const core::HexFaceNodes& nodes, double a, double b) {
+  const auto along = core::line_shape(a), across = core::line_shape(b);
+  Vector3 sum = Vector3::Zero();
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) sum += along[i] * across[j] * nodes.col(i + 3 * j);
+  return sum;
+}
+
+/// The middle of the wall under a face of the inner side: places and thicknesses of its nine nodes, m.
+struct MiddleFace {
+  core::HexFace face;
+  core::HexFaceNodes at;
+  Eigen::Matrix<double, 9, 1> thickness;
+  bool outwards;  ///< whether the face's first direction times its second points out of the container
+};
+
+std::vector<MiddleFace> middle_faces(const SolidState& solid) {
+  std::map<Index, Index> outer_of;
+  for (const auto& column : solid.columns) outer_of[column.front()] = column.back();
+  std::map<Index, double> thickness;
+  for (const SolidWallPoint& point : solid_wall(solid).points) thickness[point.outer] = point.thickness;
+  const auto& x = solid.glass.mesh.nodes;
+  std::vector<MiddleFace> result;
+  for (const core::HexFace& face : faces_of(solid, SolidSide::inner)) {
+    MiddleFace middle{face, {}, {}, true};
+    const auto nodes = core::face_node_numbers(solid.glass.mesh, face);
+    for (int n = 0; n < 9; ++n) {
+      const Index outer = outer_of.at(nodes[n]);
+      middle.at.col(n) = 0.5 * (x[nodes[n]] + x[outer]);
+      middle.thickness[n] = thickness.at(outer);
+    }
+    const Vector3 across = x[outer_of.at(nodes[4])] - x[nodes[4]];
+    middle.outwards = (middle.at.col(5) - middle.at.col(3)).cross(middle.at.col(7) - middle.at.col(1)).dot(across) > 0;
+    result.push_back(middle);
+  }
+  return result;
+}
+
+double volume_of(const MiddleFace& middle) {
+  constexpr int points = 3;
+  double volume = 0;
+  for (const auto& point : core::map_hex_face(middle.at, middle.face, points))
+    volume += point.area * point.shape.dot(middle.thickness);
+  return volume;
+}
+
+/// Numbers nodes by their places.
+class ShellNodes {
+ public:
+  long number(const Vector3& at, double thickness, ShellLines& lines) {
+    const auto [found, is_new] = numbers_.try_emplace({at[0], at[1], at[2]}, static_cast<long>(numbers_.size()) + 1);
+    if (is_new) {
+      lines.nodes += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", found->second, at[0], at[1], at[2]);
+      lines.thickness += fmt::format("{}, {:.7g}\n", found->second, thickness / core::millimetre);
+    }
+    return found->second;
+  }
+  long count() const { return static_cast<long>(numbers_.size()); }
+
+ private:
+  std::map<std::array<double, 3>, long> numbers_;
+};
+
+/// A shell of which the nodes of the face are given in the order of hex_face_nodes.
+void add_shell(const std::array<long, 9>& node, bool is_reversed, long number, ShellLines& lines) {
+  std::array<int, 8> around{0, 1, 2, 5, 8, 7, 6, 3};  // corners and middles in turn
+  if (is_reversed) std::reverse(around.begin() + 1, around.end());
+  std::vector<long> corners, middles;
+  for (std::size_t k = 0; k < 8; k += 2) {
+    const long corner = node[around[k]], next = node[around[(k + 2) % 8]];
+    if (corner == next) continue;  // an edge on the axis
+    corners.push_back(corner);
+    middles.push_back(node[around[k + 1]]);
+  }
+  std::string& text = corners.size() == 4 ? lines.eight : lines.six;
+  text += fmt::format("{}, {}, {}\n", number, fmt::join(corners, ", "), fmt::join(middles, ", "));
+}
+
+}  // namespace
+
+double whole_volume(const SolidState& solid) {
+  return core::cell_volumes(solid.glass.mesh).sum() / solid.share;
+}
+
+double write_stl(const std::string& path, const SolidState& solid) {
+  constexpr int pieces = 4;  // along a face
+  const Copies copies(solid);
+  Triangles triangles;
+  for (const core::HexFace& face : solid.faces) {
+    const core::HexFaceNodes nodes = core::face_nodes(solid.glass.mesh, face);
+    const bool outwards = (face.axis == 1) != (face.end == 1);
+    for (int copy = 0; copy < copies.count(); ++copy)
+      for (int i = 0; i < pieces; ++i)
+        for (int j = 0; j < pieces; ++j) {
+          const auto corner = [&](int a, int b) {
+            return copies.millimetres(at_place(nodes, double(i + a) / pieces, double(j + b) / pieces), copy);
+          };
+          const Vector3 from = corner(0, 0), to = corner(1, 1);
+          Vector3 right = corner(1, 0), left = corner(0, 1);
+          if (outwards == Copies::is_mirrored(copy)) std::swap(right, left);
+          triangles.add(from, right, to);
+          triangles.add(from, to, left);
+        }
+  }
+  core::replace_file(path, triangles.file());
+  return core::millimetre * core::millimetre * core::millimetre * triangles.volume();
+}
+
+ShellMesh write_shell(const std::string& path, const SolidState& solid) {
+  const Copies copies(solid);
+  ShellLines lines;
+  ShellNodes nodes;
+  ShellMesh shell{0, 0, 0};
+  for (const MiddleFace& middle : middle_faces(solid)) {
+    shell.volume += copies.count() * volume_of(middle);
+    for (int copy = 0; copy < copies.count(); ++copy) {
+      std::array<long, 9> number{};
+      for (int n = 0; n < 9; ++n)  // a shell has no node in its middle
+        if (n != 4) number[n] = nodes.number(copies.millimetres(middle.at.col(n), copy), middle.thickness[n], lines);
+      add_shell(number, middle.outwards == Copies::is_mirrored(copy), ++shell.elements, lines);
+    }
+  }
+  shell.nodes = nodes.count();
+  core::replace_file(path, shell_text("", lines));
+  return shell;
+}
+
+}  // namespace parison::forming
