@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "forming/run/fast_glass.hpp"
 #include "forming/run/solid_extremes.hpp"
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_step.hpp"
@@ -81,6 +82,10 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
     if (dt < run.scene.accuracy.min_step) {
       run.outcome.facts.reason =
           fmt::format("{}, also in steps of {:g} s, numerics.min_step", outcome.reason, run.scene.accuracy.min_step);
+      if (const auto fast = fast_glass(solid))
+        run.outcome.facts.reason = fmt::format(
+            "{} (numerics: {})", run.scene.stages[clock.stage].pressure.empty() ? falls(*fast) : bursts(*fast),
+            run.outcome.facts.reason);
       return false;
     }
   }

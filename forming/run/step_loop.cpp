@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "forming/remeshing/remesh_criteria.hpp"
+#include "forming/run/fast_glass.hpp"
 #include "forming/run/room_in_tool.hpp"
 #include "forming/scene/describe/support.hpp"
 #include "forming/step/contact/film.hpp"
@@ -60,43 +61,20 @@ bool gravity_alone_moves(const RunInProgress& run) {
   return gravity > most * (gravity + std::max(0.0, tools));
 }
 
-/// A node of the glass that moves faster than any forming does; none where none does.
-struct FastNode {
-  Point at;      ///< m
-  double speed;  ///< m/s
-};
-std::optional<FastNode> fast_node(const State& state) {
-  constexpr double fastest_forming = 20;  // m/s
-  FastNode fastest{Point::Zero(), 0};
-  for (Index n = 0; n < state.glass.velocity.size() / core::dim; ++n)
-    if (const double speed = flow::node_velocity(state.glass.velocity, n).norm(); speed > fastest.speed)
-      fastest = {state.glass.mesh.nodes[n], speed};
-  if (fastest.speed < fastest_forming) return {};
-  return fastest;
-}
-
 /// Where glass falls by its weight, as a sentence; empty where it does not. Without inertia nothing else limits how
 /// fast a thread of it gets.
 std::string falling_glass(const RunInProgress& run) {
-  const auto fast = fast_node(run.outcome.state);
+  const auto fast = fast_glass(run.outcome.state);
   if (!fast || !gravity_alone_moves(run)) return "";
-  if (const std::string note = run.outcome.state.stage == 0 ? falling_note(run.scene) : ""; !note.empty()) return note;
-  return fmt::format(
-      "the glass stretches under its weight alone until it falls, near ({:.1f}, {:.1f}) mm at {:.0f} m/s, where no "
-      "pressure acts: a shorter time before something holds or shapes it, colder glass, or a tool that carries it "
-      "keeps it together",
-      1e3 * fast->at[0], 1e3 * fast->at[1], fast->speed);
+  const std::string note = run.outcome.state.stage == 0 ? falling_note(run.scene) : "";
+  return note.empty() ? falls(*fast) : note;
 }
 
-/// Where glass falls or the air blows up a film, as a sentence; empty where neither happens.
-std::string bursting_film(const RunInProgress& run) {
+/// The same where glass falls or the air blows up a film.
+std::string lost_glass(const RunInProgress& run) {
   if (const std::string falling = falling_glass(run); !falling.empty()) return falling;
-  const auto fast = fast_node(run.outcome.state);
-  if (!fast) return "";
-  return fmt::format(
-      "a film of glass bursts near ({:.1f}, {:.1f}) mm, where it moves at {:.0f} m/s: less pressure, or glass that is "
-      "thicker or colder there, may keep it whole",
-      1e3 * fast->at[0], 1e3 * fast->at[1], fast->speed);
+  const auto fast = fast_glass(run.outcome.state);
+  return fast ? bursts(*fast) : "";
 }
 
 /// Sets the next step shorter after a rejected one of length dt, s; false when none is worth trying.
@@ -108,7 +86,7 @@ bool shorten_step(RunInProgress& run, const StepResult& result, const ProposedSt
   const double next = result.converged ? std::clamp(proposed.dt, shorten * dt, longest_retry * dt) : shorten * dt;
   if (result.unrecoverable) return false;
   if (next < run.scene.accuracy.min_step) {
-    const std::string film = bursting_film(run);
+    const std::string film = lost_glass(run);
     reason += fmt::format("; steps below {:g} s, numerics.min_step, would be needed", run.scene.accuracy.min_step);
     if (!film.empty()) reason = fmt::format("{} (numerics: {})", film, reason);
     return false;
