@@ -210,7 +210,7 @@ void integrate(Integration& run, double time, StageValue& start, double dt, Step
   while (remaining > 0) {
     const double count = std::max(1.0, std::ceil(remaining / std::min(wanted, options.max_substep) - 1e-9));
     const double substep = remaining / count;
-    TrialStep trial = try_step(run, time + dt - remaining, start, rate, substep);
+    TrialStep trial = try_step(run, time, start, rate, substep);
     const double fitting = fitting_size(trial, substep, options.tolerance);
     if (!trial.solved || trial.error > options.tolerance) {
       ++outcome.rejected;
@@ -223,6 +223,7 @@ void integrate(Integration& run, double time, StageValue& start, double dt, Step
     accumulate_substep(outcome.balance, run.system, start, trial, substep);
     rate = (trial.end.temperature - trial.middle.temperature) / ((1 - gamma) * substep);
     start = std::move(trial.end);
+    time += substep;
     remaining = count > 1 ? remaining - substep : 0;
     wanted = fitting > 1.3 * substep ? fitting : substep;
     outcome.next_substep = std::max(outcome.next_substep, 0.25 * fitting);
