@@ -11,22 +11,6 @@ namespace parison::thermal {
 
 namespace {
 
-const SurfaceExchange* exchange_of(const BodyView& body, Index boundary_id) {
-  if (body.exchange.empty() || !body.exchange[boundary_id]) return nullptr;
-  return &*body.exchange[boundary_id];
-}
-
-/// Exchange of all boundaries of all bodies at a time; zero where a boundary has none.
-std::vector<ExchangeCoefficients> exchange_at(const HeatSystem& system, double time) {
-  std::vector<ExchangeCoefficients> result;
-  for (const BodyView& body : system.problem->bodies)
-    for (std::size_t id = 0; id < body.mesh->boundaries().size(); ++id) {
-      const SurfaceExchange* exchange = exchange_of(body, static_cast<Index>(id));
-      result.push_back(exchange ? coefficients_at(*exchange, time) : ExchangeCoefficients{});
-    }
-  return result;
-}
-
 /// Heat that an area in contact would give the air if it were free: linear T + quartic |T|^3 T - constant, W.
 struct FreeSurface {
   double linear, quartic, constant;  ///< W/m2/K, W/m2/K4, W/m2
@@ -52,13 +36,6 @@ std::vector<Index> boundaries_of_mid_nodes(const HeatSystem& system, Index body)
   for (const core::BoundaryEdge& edge : mesh.boundary_edges())
     boundary[edge.nodes[2]] = system.first_boundary[body] + edge.boundary_id;
   return boundary;
-}
-
-Index find_pair(HeatSystem& system, const std::pair<Index, Index>& pair) {
-  const auto found = std::find(system.pairs.begin(), system.pairs.end(), pair);
-  const auto index = static_cast<Index>(found - system.pairs.begin());
-  if (found == system.pairs.end()) system.pairs.push_back(pair);
-  return index;
 }
 
 bool face_alike(const core::InterfacePoint& a, const core::InterfacePoint& b) {
@@ -124,7 +101,7 @@ void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) 
   const auto& rule = core::edge_rule(3);
   for (std::size_t e = 0; e < body.mesh->boundary_edges().size(); ++e) {
     const core::BoundaryEdge& boundary = body.mesh->boundary_edges()[e];
-    if (!exchange_of(body, boundary.boundary_id)) continue;
+    if (!exchange_of(body.exchange, boundary.boundary_id)) continue;
     HeatEdge edge{edge_unknowns(system, body_index, boundary.nodes),
                   first_boundary_edge + static_cast<Index>(e),
                   system.first_boundary[body_index] + boundary.boundary_id,
@@ -174,7 +151,7 @@ SideTemperatures side_temperatures(const HeatInterface& interface, const Eigen::
 
 void add_exchange(const HeatSystem& system, double time, const Eigen::VectorXd& temperature, Flows& flows,
                   Eigen::VectorXd* power) {
-  const std::vector<ExchangeCoefficients> exchange = exchange_at(system, time);
+  const std::vector<ExchangeCoefficients> exchange = exchange_at(system.problem->bodies, system.first_boundary, time);
   for (const HeatEdge& edge : system.edges)
     for (int q = 0; q < 3; ++q) {
       const double T = interpolate(temperature, edge.unknowns.data(), edge.shape[q]);
@@ -246,7 +223,7 @@ void add_segments(StepMatrix& matrix, const HeatSystem& system, const ContactDer
 
 void linearise_exchange(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
                         Linearisation& result) {
-  const std::vector<ExchangeCoefficients> exchange = exchange_at(system, time);
+  const std::vector<ExchangeCoefficients> exchange = exchange_at(system.problem->bodies, system.first_boundary, time);
   for (const HeatEdge& edge : system.edges) {
     auto& derivatives = result.edges.emplace_back();
     for (int q = 0; q < 3; ++q) {

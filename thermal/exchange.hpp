@@ -13,9 +13,27 @@ struct Flows;
 struct Linearisation;
 struct StepMatrix;
 
+/// Exchange of a boundary; null for none.
+inline const SurfaceExchange* exchange_of(const std::vector<std::optional<SurfaceExchange>>& exchange, Index id) {
+  return id < static_cast<Index>(exchange.size()) && exchange[id] ? &*exchange[id] : nullptr;
+}
+/// Exchange of all boundaries of a problem's bodies at a time, s; zero where a boundary has none. `first_boundary` as
+/// in HeatUnknowns.
+template <typename Bodies>
+std::vector<ExchangeCoefficients> exchange_at(const Bodies& bodies, const std::vector<Index>& first_boundary,
+                                              double time) {
+  std::vector<ExchangeCoefficients> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (Index id = 0; id < first_boundary[b + 1] - first_boundary[b]; ++id) {
+      const SurfaceExchange* exchange = exchange_of(bodies[b].exchange, id);
+      result.push_back(exchange ? coefficients_at(*exchange, time) : ExchangeCoefficients{});
+    }
+  return result;
+}
+
 /// Boundary edge that exchanges heat with its surroundings.
 struct HeatEdge {
-  std::array<Index, 3> unknowns;  ///< of first, last and mid node; in a problem of order 1 the mid is the first again
+  std::array<Index, 3> unknowns;  ///< of first, last and mid node
   Index boundary_edge;            ///< counted through all bodies
   Index boundary;                 ///< counted through all bodies
   Index body;

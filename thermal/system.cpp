@@ -52,12 +52,9 @@ void add_prescribed(HeatSystem& system, const BodyView& body, Index body_index) 
   if (body.prescribed.empty()) return;
   for (const core::BoundaryEdge& edge : body.mesh->boundary_edges()) {
     if (!body.prescribed[edge.boundary_id]) continue;
-    for (const Index unknown : edge_unknowns(system, body_index, edge.nodes)) {
-      if (system.is_prescribed[unknown]) continue;
-      system.is_prescribed[unknown] = 1;
-      system.prescribed.push_back(
-          {unknown, &*body.prescribed[edge.boundary_id], system.first_boundary[body_index] + edge.boundary_id});
-    }
+    for (const Index unknown : edge_unknowns(system, body_index, edge.nodes))
+      prescribe(system, {unknown, body_index, &*body.prescribed[edge.boundary_id],
+                         system.first_boundary[body_index] + edge.boundary_id});
   }
 }
 
@@ -77,19 +74,15 @@ void prepare_radiation(HeatSystem& system, const std::vector<Index>& first_bound
   }
 }
 
-void number_unknowns(HeatSystem& system) {
-  const Problem& problem = *system.problem;
-  Index boundaries = 0;
-  system.first_unknown.push_back(0);
+std::vector<std::pair<Index, Index>> nodes_and_boundaries(const Problem& problem) {
+  std::vector<std::pair<Index, Index>> counts;
   for (const BodyView& body : problem.bodies) {
     assert(body.mesh->cell_count() == body.mass_mesh->cell_count());
     assert(body.exchange.empty() || body.exchange.size() == body.mesh->boundaries().size());
     assert(body.prescribed.empty() || body.prescribed.size() == body.mesh->boundaries().size());
-    system.first_unknown.push_back(system.first_unknown.back() + body.mesh->node_count());
-    system.first_boundary.push_back(boundaries);
-    boundaries += static_cast<Index>(body.mesh->boundaries().size());
+    counts.emplace_back(body.mesh->node_count(), static_cast<Index>(body.mesh->boundaries().size()));
   }
-  system.first_boundary.push_back(boundaries);
+  return counts;
 }
 
 }  // namespace
@@ -97,10 +90,7 @@ void number_unknowns(HeatSystem& system) {
 HeatSystem make_heat_system(const Problem& problem, std::vector<KeptCells>* kept) {
   HeatSystem system;
   system.problem = &problem;
-  number_unknowns(system);
-  system.is_prescribed.assign(system.size(), 0);
-  system.source.setZero(system.size());
-  system.body_source.setZero(static_cast<Index>(problem.bodies.size()));
+  number_unknowns(system, nodes_and_boundaries(problem));
   std::size_t cells = 0;
   for (const BodyView& body : problem.bodies) cells += body.mesh->cells().size();
   system.cells.reserve(cells);
@@ -148,81 +138,9 @@ TracedPlaces traced_places(const std::vector<KeptCells>& kept) {
   return places;
 }
 
-Eigen::VectorXd join(const HeatSystem& system, const std::vector<Eigen::VectorXd>& temperature) {
-  Eigen::VectorXd joined(system.size());
-  for (std::size_t b = 0; b < temperature.size(); ++b) {
-    const Index count = system.first_unknown[b + 1] - system.first_unknown[b];
-    assert(temperature[b].size() == system.problem->bodies[b].mesh->node_count());
-    joined.segment(system.first_unknown[b], count) = temperature[b].head(count);
-  }
-  return joined;
-}
-
-std::vector<Eigen::VectorXd> split(const HeatSystem& system, const Eigen::VectorXd& joined) {
-  std::vector<Eigen::VectorXd> temperature;
-  const auto& first = system.first_unknown;
-  for (std::size_t b = 0; b + 1 < first.size(); ++b)
-    temperature.push_back(joined.segment(first[b], first[b + 1] - first[b]));
-  return temperature;
-}
-
 std::array<Index, 3> edge_unknowns(const HeatSystem& system, Index body, const std::array<Index, 3>& nodes) {
   const Index first = system.first_unknown[body];
   return {first + nodes[0], first + nodes[1], first + nodes[2]};
-}
-
-Index body_of(const HeatSystem& system, Index unknown) {
-  const auto& first = system.first_unknown;
-  return static_cast<Index>(std::upper_bound(first.begin(), first.end(), unknown) - first.begin() - 1);
-}
-
-HeatBalance zero_balance(const HeatSystem& system) {
-  HeatBalance balance;
-  balance.bodies.resize(system.bodies.size());
-  balance.first_boundary = system.first_boundary;
-  balance.through_boundary.assign(static_cast<std::size_t>(system.first_boundary.back()), 0);
-  for (const auto& [slave, master] : system.pairs) balance.pairs.push_back({slave, master});
-  return balance;
-}
-
-void accumulate(HeatBalance& balance, const Flows& flows, double duration) {
-  for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
-    balance.bodies[b].to_air += duration * flows.to_air[b];
-    balance.bodies[b].light_to_air += duration * flows.light_to_air[b];
-    balance.bodies[b].from_enclosure += duration * flows.from_enclosure[b];
-    balance.bodies[b].from_source += duration * flows.from_source[b];
-  }
-  for (std::size_t i = 0; i < balance.through_boundary.size(); ++i)
-    balance.through_boundary[i] += duration * flows.exchanged[static_cast<Index>(i)];
-  for (std::size_t p = 0; p < balance.pairs.size(); ++p) {
-    balance.pairs[p].heat += duration * flows.across[p];
-    balance.pairs[p].received += duration * flows.received[p];
-    balance.pairs[p].radiated += duration * flows.radiated[p];
-  }
-}
-
-void accumulate_prescribed(HeatBalance& balance, const HeatSystem& system, const PrescribedUnknown& at, double heat) {
-  balance.bodies[body_of(system, at.unknown)].from_prescribed += heat;
-  balance.through_boundary[static_cast<std::size_t>(at.boundary)] -= heat;
-}
-
-void accumulate_imposed(HeatBalance& balance, const HeatSystem& system) {
-  for (std::size_t b = 0; b < balance.bodies.size(); ++b) {
-    const double imposed = balance.bodies[b].from_prescribed = balance.bodies[b].content_change;
-    const auto first = std::find_if(system.prescribed.begin(), system.prescribed.end(), [&](const auto& at) {
-      return body_of(system, at.unknown) == static_cast<Index>(b);
-    });
-    if (first != system.prescribed.end())
-      balance.through_boundary[static_cast<std::size_t>(first->boundary)] -= imposed;
-  }
-}
-
-void accumulate_content(HeatBalance& balance, const HeatSystem& system, const Eigen::VectorXd& before,
-                        const Eigen::VectorXd& after) {
-  const Eigen::VectorXd change = after - before;
-  for (std::size_t b = 0; b < balance.bodies.size(); ++b)
-    balance.bodies[b].content_change +=
-        change.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]).sum();
 }
 
 double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::VectorXd& temperature) {
@@ -237,24 +155,10 @@ double heat_content(const BodyView& body, core::Geometry geometry, const Eigen::
 
 namespace {
 
-/// Flows of the volume source alone.
-Flows source_flows(const HeatSystem& system, double time) {
-  const auto pairs = static_cast<Index>(system.pairs.size());
-  Eigen::VectorXd source = system.body_source;
-  for (Eigen::Index b = 0; b < source.size(); ++b) source[b] *= system.problem->bodies[b].source_factor(time);
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(pairs);
-  const Eigen::VectorXd no_air = Eigen::VectorXd::Zero(source.size());
-  return {no_air, source, no_air, none, none, none, Eigen::VectorXd::Zero(system.first_boundary.back()), no_air};
-}
-
 /// Power of the volume source into each unknown, W.
-Eigen::VectorXd source_power(const HeatSystem& system, double time) {
+Eigen::VectorXd source_power(const HeatSystem& system, const Eigen::VectorXd& factors) {
   Eigen::VectorXd power = system.source;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const Index first = system.first_unknown[b];
-    if (system.problem->bodies[b].source)
-      power.segment(first, system.first_unknown[b + 1] - first) *= system.problem->bodies[b].source_factor(time);
-  }
+  for (Index b = 0; b < factors.size(); ++b) power.segment(system.first_unknown[b], system.size_of(b)) *= factors[b];
   return power;
 }
 
@@ -269,7 +173,8 @@ void add_radiation(const HeatSystem& system, double time, const Eigen::VectorXd&
 
 Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& temperature,
                   const Eigen::VectorXd* rate) {
-  Response response{Eigen::VectorXd::Zero(system.size()), source_power(system, time), source_flows(system, time)};
+  const Eigen::VectorXd factors = source_factors(system.problem->bodies, time);
+  Response response{Eigen::VectorXd::Zero(system.size()), source_power(system, factors), source_flows(system, factors)};
   add_cells(system, temperature, rate, response);
   add_exchange(system, time, temperature, response.flows, &response.power);
   add_radiation(system, time, temperature, response.flows, &response.power);
@@ -288,24 +193,14 @@ Response evaluate(const HeatSystem& system, double time, const Eigen::VectorXd& 
 }
 
 Flows evaluate_flows(const HeatSystem& system, double time, const Eigen::VectorXd& temperature) {
-  Flows flows = source_flows(system, time);
+  Flows flows = source_flows(system, source_factors(system.problem->bodies, time));
   add_exchange(system, time, temperature, flows, nullptr);
   add_radiation(system, time, temperature, flows, nullptr);
   return flows;
 }
 
-bool impose_prescribed(const HeatSystem& system, double time, Eigen::VectorXd& temperature) {
-  bool changed = false;
-  for (const auto& [unknown, given, boundary] : system.prescribed) {
-    const double value = (*given)(time);
-    changed = changed || temperature[unknown] != value;
-    temperature[unknown] = value;
-  }
-  return changed;
-}
-
 void impose_prescribed_rate(const HeatSystem& system, double time, Eigen::VectorXd& rate) {
-  for (const auto& [unknown, given, boundary] : system.prescribed) rate[unknown] = given->derivative(time);
+  for (const PrescribedUnknown& at : system.prescribed) rate[at.unknown] = at.temperature->derivative(time);
 }
 
 }  // namespace parison::thermal

@@ -81,17 +81,4 @@ Eigen::VectorXd from_section(const PrismMesh& mesh, const Eigen::VectorXd& secti
   return values;
 }
 
-Eigen::VectorXd section_mean(const PrismMesh& mesh, const Eigen::VectorXd& values) {
-  constexpr std::array<double, 3> simpson{1, 4, 1};
-  const Index count = 1 + *std::max_element(mesh.section_node.begin(), mesh.section_node.end());
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), weight = sum;
-  for (const auto& cell : mesh.cells)
-    for (int n = 0; n < PrismMesh::nodes_per_cell; ++n) {
-      const Index to = mesh.section_node[cell[n]];
-      sum[to] += simpson[n / 6] * values[cell[n]];
-      weight[to] += simpson[n / 6];
-    }
-  return sum.cwiseQuotient(weight);
-}
-
 }  // namespace parison::core

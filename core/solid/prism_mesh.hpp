@@ -36,7 +36,5 @@ PrismMesh sweep(const Mesh& section, double from_angle, double to_angle, Index l
 
 /// Nodal field of a swept mesh from one of its section.
 Eigen::VectorXd from_section(const PrismMesh& mesh, const Eigen::VectorXd& section_values);
-/// The mean over the angle of a nodal field, by node of the section: Simpson's rule, exact for quadratic steps.
-Eigen::VectorXd section_mean(const PrismMesh& mesh, const Eigen::VectorXd& values);
 
 }  // namespace parison::core

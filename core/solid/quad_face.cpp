@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solid/quad_face.hpp"
 
-#include <map>
-
 #include "core/mesh/element.hpp"
 
 namespace parison::core {
@@ -63,22 +61,6 @@ Vector3 cube_place(const HexFace& face, double a, double b) {
   at[(face.axis + 1) % 3] = face.end ? a : b;
   at[(face.axis + 2) % 3] = face.end ? b : a;
   return at;
-}
-
-std::vector<HexFace> boundary_faces(const HexMesh& mesh) {
-  std::map<Index, int> uses;  // of the node in the middle of each face
-  const auto middle = [&](const HexFace& face) { return quad_face(mesh, face).nodes[4]; };
-  const auto for_each_face = [&](const auto& visit) {
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-      for (int axis = 0; axis < 3; ++axis)
-        for (int end = 0; end < 2; ++end) visit(HexFace{cell, axis, end});
-  };
-  for_each_face([&](const HexFace& face) { ++uses[middle(face)]; });
-  std::vector<HexFace> faces;
-  for_each_face([&](const HexFace& face) {
-    if (uses[middle(face)] == 1) faces.push_back(face);
-  });
-  return faces;
 }
 
 }  // namespace parison::core

@@ -33,7 +33,4 @@ QuadFace quad_face(const HexMesh& mesh, const HexFace& face, Index boundary_id =
 /// Where a place of such a face is in the unit cube of its cell.
 Vector3 cube_place(const HexFace& face, double a, double b);
 
-/// The faces of cells that no other cell shares, in the order of the cells.
-std::vector<HexFace> boundary_faces(const HexMesh& mesh);
-
 }  // namespace parison::core

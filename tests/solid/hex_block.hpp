@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/solid/hex_geometry.hpp"
-#include "core/solid/quad_face.hpp"
 #include "forming/solid/flow/solid_flow.hpp"
+#include "solid/boundary_faces.hpp"
 
 namespace parison::tests {
 
@@ -134,7 +134,7 @@ inline flow::SymmetryPlane plane_of(const core::HexMesh& mesh, const Vector3& no
 inline std::vector<core::HexFace> faces_where(const core::HexMesh& mesh,
                                               const std::function<bool(const Vector3&)>& is_so) {
   std::vector<core::HexFace> faces;
-  for (const auto& face : core::boundary_faces(mesh)) {
+  for (const auto& face : core::test::boundary_faces(mesh)) {
     bool all = true;
     for (const Index n : core::face_node_numbers(mesh, face)) all = all && is_so(mesh.nodes[n]);
     if (all) faces.push_back(face);

@@ -6,7 +6,7 @@
 
 #include "core/solid/cell_table.hpp"
 #include "core/solid/prism_mesh.hpp"
-#include "core/solid/quad_face.hpp"
+#include "solid/boundary_faces.hpp"
 #include "thermal/bodies.hpp"
 #include "thermal/solid/solid_step.hpp"
 
@@ -35,7 +35,7 @@ inline Block block(int nx, int ny, int nz, const Map& map) {
     const int i0 = 2 * (c % nx), j0 = 2 * (c / nx % ny), k0 = 2 * (c / (nx * ny));
     for (int n = 0; n < 27; ++n) cell[n] = (i0 + n % 3) + lx * ((j0 + n / 3 % 3) + ly * (k0 + n / 9));
   }
-  for (const core::HexFace& face : core::boundary_faces(made.mesh))
+  for (const core::HexFace& face : core::test::boundary_faces(made.mesh))
     made.faces.push_back(core::quad_face(made.mesh, face, 2 * face.axis + face.end));
   return made;
 }

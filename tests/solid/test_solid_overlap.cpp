@@ -24,7 +24,7 @@ struct Hanging {
     clock.tools.resize(scene.tools.size());
     solid.glass.mesh =
         tests::hex_block(1, 1, 1, [&](const Vector3& x) -> Vector3 { return from + (to - from).cwiseProduct(x); });
-    solid.faces = core::boundary_faces(solid.glass.mesh);
+    solid.faces = core::test::boundary_faces(solid.glass.mesh);
     for (std::size_t t = 0; t < scene.tools.size(); ++t) {
       const Tool& tool = scene.tools[t];
       if (tool.name != "blow_mould") continue;

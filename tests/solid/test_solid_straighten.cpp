@@ -44,7 +44,7 @@ SolidState wall(double bend) {
     return bend > 0 ? Vector3(20e-3 * x[0], radius * std::sin(angle), radius * std::cos(angle))
                     : Vector3(20e-3 * x[0], 20e-3 * x[1], 3e-3 * x[2]);
   });
-  for (const auto& face : core::boundary_faces(solid.glass.mesh)) {
+  for (const auto& face : core::test::boundary_faces(solid.glass.mesh)) {
     const Vector3 middle = solid.glass.mesh.nodes[core::face_node_numbers(solid.glass.mesh, face)[4]];
     const bool is_rim = face.axis == 0 && middle[0] > 10e-3;
     if (face.axis != 2 && !is_rim) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/mesh/element.hpp"
+#include "thermal/exchange.hpp"
 
 namespace parison::thermal {
 
@@ -11,35 +12,15 @@ namespace {
 
 using Shape = std::array<double, 9>;
 
-const SurfaceExchange* exchange_of(const SolidBodyView& body, Index boundary_id) {
-  const auto id = static_cast<std::size_t>(boundary_id);
-  return id < body.exchange.size() && body.exchange[id] ? &*body.exchange[id] : nullptr;
-}
-
-/// Exchange of all boundaries of all bodies at a time; zero where a boundary has none.
-std::vector<ExchangeCoefficients> exchange_at(const SolidSystem& system, double time) {
-  std::vector<ExchangeCoefficients> result;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    for (Index id = 0; id < system.first_boundary[b + 1] - system.first_boundary[b]; ++id) {
-      const SurfaceExchange* exchange = exchange_of(system.problem->bodies[b], id);
-      result.push_back(exchange ? coefficients_at(*exchange, time) : ExchangeCoefficients{});
-    }
-  return result;
-}
-
 double interpolate(const Eigen::VectorXd& temperature, const Index* unknowns, const Shape& shape) {
   double T = 0;
   for (int i = 0; i < 9; ++i) T += shape[i] * temperature[unknowns[i]];
   return T;
 }
 
-/// Temperatures of both sides at all points of the interface, K.
-struct SideTemperatures3 {
-  Eigen::ArrayXd slave, master;
-};
-SideTemperatures3 side_temperatures(const SolidSystem& system, const Eigen::VectorXd& temperature) {
+SideTemperatures side_temperatures(const SolidSystem& system, const Eigen::VectorXd& temperature) {
   const auto& points = system.problem->interface.points;
-  SideTemperatures3 at{Eigen::ArrayXd(points.size()), Eigen::ArrayXd(points.size())};
+  SideTemperatures at{Eigen::ArrayXd(points.size()), Eigen::ArrayXd(points.size())};
   for (const SolidHeatPair& contact : system.contacts)
     for (Index i = contact.first_point; i < contact.last_point; ++i) {
       const auto& point = points[static_cast<std::size_t>(i)];
@@ -100,13 +81,6 @@ void add_contact_heat(const SolidSystem& system, double time, const std::vector<
   }
 }
 
-Index find_pair(SolidSystem& system, const std::pair<Index, Index>& pair) {
-  const auto found = std::find(system.pairs.begin(), system.pairs.end(), pair);
-  const auto index = static_cast<Index>(found - system.pairs.begin());
-  if (found == system.pairs.end()) system.pairs.push_back(pair);
-  return index;
-}
-
 SolidHeatPair start_contact(SolidSystem& system, Index pair, Index at) {
   const core::FacePair& faces = system.problem->interface.pairs[pair];
   const core::QuadFace& slave = (*system.problem->bodies[faces.slave_body].faces)[faces.slave_face];
@@ -142,7 +116,7 @@ void add_faces(SolidSystem& system, Index body_index) {
   const auto& rule = core::edge_rule(3);
   for (std::size_t f = 0; f < body.faces->size(); ++f) {
     const core::QuadFace& face = (*body.faces)[f];
-    if (!exchange_of(body, face.boundary_id)) continue;
+    if (!exchange_of(body.exchange, face.boundary_id)) continue;
     SolidHeatFace& heat = system.faces.emplace_back();
     for (int i = 0; i < 9; ++i) heat.unknowns[i] = system.first_unknown[body_index] + face.nodes[i];
     for (int q = 0; q < 9; ++q) {
@@ -166,7 +140,7 @@ void add_contacts(SolidSystem& system) {
 }
 
 void add_exchange(const SolidSystem& system, double time, const Eigen::VectorXd& temperature, Response& response) {
-  const std::vector<ExchangeCoefficients> exchange = exchange_at(system, time);
+  const std::vector<ExchangeCoefficients> exchange = exchange_at(system.problem->bodies, system.first_boundary, time);
   for (const SolidHeatFace& face : system.faces)
     for (int q = 0; q < 9; ++q) {
       const Shape& shape = face_shapes()[q];
@@ -217,7 +191,7 @@ void add_point(const core::SolidInterfacePoint& point, const PointSlopes& slopes
 
 void for_each_exchange_matrix(const SolidSystem& system, double time, const Eigen::VectorXd& temperature, double step,
                               const ExchangeMatrices& add) {
-  const std::vector<ExchangeCoefficients> exchange = exchange_at(system, time);
+  const std::vector<ExchangeCoefficients> exchange = exchange_at(system.problem->bodies, system.first_boundary, time);
   add_face_matrices(system, exchange, temperature, step, add);
   if (system.contacts.empty()) return;
   const auto& points = system.problem->interface.points;

@@ -3,22 +3,15 @@
 #include <map>
 #include <vector>
 
-#include "core/linear/cholesky.hpp"
 #include "thermal/solid/solid_system.hpp"
+#include "thermal/time/substeps.hpp"
 
 namespace parison::thermal {
 
-/// Matrix C + step K of the stage equations and its factor, kept between steps. The pattern has all faces and all pairs
-/// of faces that the interface names, near ones included; it is made anew where a mesh changes or a pair comes in that
-/// it does not have.
-struct SolidStepMatrix {
-  core::Cholesky cholesky;
-  core::Assembly assembly;
-  Eigen::VectorXd diagonal;  ///< of the factored matrix, J/K
-  double factored_step = 0;  ///< s; 0: no factor
-  Index analyses = 0, factorisations = 0;
-
-  std::vector<char> is_prescribed;  ///< by unknown, of the factored matrix
+/// Matrix of the stages. The pattern has all faces and all pairs of faces that the interface names, near ones included;
+/// it is made anew where a mesh changes or a pair comes in that it does not have.
+struct SolidStepMatrix : HeatMatrix {
+  Index analyses = 0;
 
   // What the pattern was made for.
   double ordered_operations = 0;  ///< of a factorisation when the order of elimination was found

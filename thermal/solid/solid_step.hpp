@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "thermal/solid/solid_matrix.hpp"
-#include "thermal/time/tr_bdf2.hpp"
+#include "thermal/time/substeps.hpp"
 
 namespace parison::thermal {
 

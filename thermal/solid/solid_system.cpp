@@ -59,30 +59,26 @@ void add_prescribed(SolidSystem& system, Index body) {
   for (const core::QuadFace& face : *view.faces) {
     const auto id = static_cast<std::size_t>(face.boundary_id);
     if (id >= view.prescribed.size() || !view.prescribed[id]) continue;
-    for (const Index node : face.nodes) {
-      const Index unknown = system.first_unknown[body] + node;
-      if (system.is_prescribed[unknown]) continue;
-      system.is_prescribed[unknown] = 1;
-      system.prescribed.push_back(
-          {unknown, body, &*view.prescribed[id], system.first_boundary[body] + face.boundary_id});
-    }
+    for (const Index node : face.nodes)
+      prescribe(system, {system.first_unknown[body] + node, body, &*view.prescribed[id],
+                         system.first_boundary[body] + face.boundary_id});
   }
 }
 
 }  // namespace
 
 SolidSystem make_solid_system(const SolidProblem& problem, const std::vector<Eigen::VectorXd>& temperature) {
-  SolidSystem system{&problem, {0}, {0}, {0}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  SolidSystem system;
+  system.problem = &problem;
+  system.first_face = {0};
+  std::vector<std::pair<Index, Index>> counts;
   for (const SolidBodyView& body : problem.bodies) {
-    system.bodies.push_back(laws_of(body, system.first_unknown.back()));
-    system.first_unknown.push_back(system.first_unknown.back() + static_cast<Index>(body.nodes->size()));
-    system.first_boundary.push_back(system.first_boundary.back() + boundary_count(body));
+    counts.emplace_back(static_cast<Index>(body.nodes->size()), boundary_count(body));
     system.first_face.push_back(system.first_face.back() + static_cast<Index>(body.faces->size()));
   }
-  const auto count = static_cast<Index>(problem.bodies.size());
-  system.source.setZero(system.size());
-  system.body_source.setZero(count);
-  system.is_prescribed.assign(static_cast<std::size_t>(system.size()), 0);
+  number_unknowns(system, counts);
+  const Index count = system.body_count();
+  for (Index b = 0; b < count; ++b) system.bodies.push_back(laws_of(problem.bodies[b], system.first_unknown[b]));
   for (Index b = 0; b < count; ++b) {
     add_source(system, b);
     add_prescribed(system, b);
@@ -91,7 +87,7 @@ SolidSystem make_solid_system(const SolidProblem& problem, const std::vector<Eig
   add_contacts(system);
   for (Index b = 0; b < count; ++b)
     if (problem.bodies[b].stacks && has_light(*problem.bodies[b].material))
-      system.lights.push_back(make_wall_light(system, b, join(temperature)));
+      system.lights.push_back(make_wall_light(system, b, join(system, temperature)));
   return system;
 }
 
@@ -106,61 +102,17 @@ std::string why_not_solvable(const SolidSystem& system) {
 }
 
 Response evaluate(const SolidSystem& system, double time, const Eigen::VectorXd& temperature) {
-  const auto bodies = static_cast<Index>(system.bodies.size()), pairs = static_cast<Index>(system.pairs.size());
-  const auto zero = [](Index count) { return Eigen::VectorXd::Zero(count); };
-  Response response{zero(system.size()),
-                    zero(system.size()),
-                    {zero(bodies), zero(bodies), zero(bodies), zero(pairs), zero(pairs), zero(pairs),
-                     zero(system.first_boundary.back()), zero(bodies)}};
-  for (Index b = 0; b < bodies; ++b) {
+  const Eigen::VectorXd factors = source_factors(system.problem->bodies, time),
+                        zero = Eigen::VectorXd::Zero(system.size());
+  Response response{zero, zero, source_flows(system, factors)};
+  for (Index b = 0; b < system.body_count(); ++b) {
     add_cells(system.bodies[b], temperature, response);
-    const double factor = system.problem->bodies[b].source_factor(time);
-    const Index first = system.first_unknown[b], count = system.first_unknown[b + 1] - first;
-    response.power.segment(first, count) += factor * system.source.segment(first, count);
-    response.flows.from_source[b] = factor * system.body_source[b];
+    const Index first = system.first_unknown[b], count = system.size_of(b);
+    response.power.segment(first, count) += factors[b] * system.source.segment(first, count);
   }
   add_exchange(system, time, temperature, response);
   for (const WallLight& light : system.lights) add_wall_light(light, system, time, temperature, response);
   return response;
-}
-
-bool impose_prescribed(const SolidSystem& system, double time, Eigen::VectorXd& temperature) {
-  bool changed = false;
-  for (const SolidPrescribed& at : system.prescribed) {
-    const double value = (*at.temperature)(time);
-    changed = changed || temperature[at.unknown] != value;
-    temperature[at.unknown] = value;
-  }
-  return changed;
-}
-
-HeatBalance zero_balance(const SolidSystem& system) {
-  HeatBalance balance;
-  balance.bodies.resize(system.bodies.size());
-  balance.first_boundary = system.first_boundary;
-  balance.through_boundary.assign(static_cast<std::size_t>(system.first_boundary.back()), 0);
-  for (const auto& [slave, master] : system.pairs) balance.pairs.push_back({slave, master});
-  return balance;
-}
-
-Eigen::VectorXd join(const std::vector<Eigen::VectorXd>& temperature) {
-  Index count = 0;
-  for (const Eigen::VectorXd& each : temperature) count += static_cast<Index>(each.size());
-  Eigen::VectorXd joined(count);
-  Index first = 0;
-  for (const Eigen::VectorXd& each : temperature) {
-    joined.segment(first, each.size()) = each;
-    first += static_cast<Index>(each.size());
-  }
-  return joined;
-}
-
-std::vector<Eigen::VectorXd> split(const SolidSystem& system, const Eigen::VectorXd& joined) {
-  std::vector<Eigen::VectorXd> temperature;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    temperature.push_back(
-        joined.segment(system.first_unknown[b], system.first_unknown[b + 1] - system.first_unknown[b]));
-  return temperature;
 }
 
 }  // namespace parison::thermal

@@ -66,7 +66,7 @@ int residual(double ida_time, N_Vector temperature, N_Vector rate, N_Vector resu
   impose_prescribed_rate(run.system, time, full_rate);
   const Response response = evaluate(run.system, time, temperature_at(run, ida_time, temperature), full_rate);
   view(result) = response.content - response.power;
-  for (const auto& [unknown, value, boundary] : run.system.prescribed) view(result)[unknown] = 0;
+  clear_prescribed(run.system, view(result));
   return view(result).allFinite() ? 0 : 1;
 }
 
@@ -120,7 +120,7 @@ void make_consistent(Integration& run, Eigen::VectorXd temperature) {
     impose_prescribed_rate(run.system, run.start, prescribed_rate);
     power -= evaluate(run.system, run.start, temperature, prescribed_rate).content;
   }
-  for (const auto& [unknown, value, boundary] : run.system.prescribed) power[unknown] = 0;
+  clear_prescribed(run.system, power);
   view(run.temperature) = temperature;
   if (factorise(run.matrix, run.system, run.start, temperature, 0)) view(run.rate) = run.matrix.cholesky.solve(power);
 }
@@ -168,7 +168,7 @@ void accumulate_until(Integration& run, double end) {
     const Response response = evaluate(run.system, run.start + ida_time, temperature);
     accumulate(run.balance, response.flows, part);
     for (const PrescribedUnknown& given : run.system.prescribed)
-      accumulate_prescribed(run.balance, run.system, given, -part * response.power[given.unknown]);
+      accumulate_prescribed(run.balance, given, -part * response.power[given.unknown]);
   }
   run.accumulated_until = end;
 }
@@ -194,7 +194,7 @@ double next_corner(const Problem& problem, double time) {
 HeatBalance finish_balance(Integration& run, const Eigen::VectorXd& content) {
   accumulate_content(run.balance, run.system, run.content, content);
   for (const PrescribedUnknown& at : run.system.prescribed)
-    accumulate_prescribed(run.balance, run.system, at, content[at.unknown] - run.content[at.unknown]);
+    accumulate_prescribed(run.balance, at, content[at.unknown] - run.content[at.unknown]);
   run.content = content;
   return std::exchange(run.balance, zero_balance(run.system));
 }

@@ -29,7 +29,7 @@ Eigen::VectorXd full_update(const HeatSystem& system, const StepMatrix& matrix, 
   const Linearisation jacobian = linearise(system, equation.time, temperature);
   const auto product = [&](const Eigen::VectorXd& change) -> Eigen::VectorXd {
     Eigen::VectorXd moved = apply(system, jacobian, equation.step, change);
-    for (const auto& [unknown, value, boundary] : system.prescribed) moved[unknown] = change[unknown];
+    for (const PrescribedUnknown& at : system.prescribed) moved[at.unknown] = change[at.unknown];
     return matrix.cholesky.solve(moved);
   };
   KrylovSolution solution = solve_by_gmres(product, modified_update, gmres_fraction, max_gmres_products);
@@ -47,7 +47,7 @@ struct Iterate {
 void set_residual(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
                   const Eigen::VectorXd& content, const Eigen::VectorXd& power, Iterate& at) {
   at.residual = content - equation.step * power - equation.target;
-  for (const auto& [unknown, value, boundary] : system.prescribed) at.residual[unknown] = 0;
+  clear_prescribed(system, at.residual);
   at.scaled = at.residual.cwiseQuotient(matrix.diagonal).lpNorm<Eigen::Infinity>();
   if (!std::isfinite(at.residual.lpNorm<1>())) at.scaled = std::numeric_limits<double>::quiet_NaN();
 }

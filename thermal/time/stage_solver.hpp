@@ -7,13 +7,6 @@
 
 namespace parison::thermal {
 
-/// Equation of an implicit stage: content(T) - step power(time, T) = target at every unknown that is not prescribed.
-struct StageEquation {
-  double time;             ///< of the stage, s
-  double step;             ///< s
-  Eigen::VectorXd target;  ///< by unknown, J
-};
-
 /// Initial guess of a stage; content, J, and power, W, may be extrapolated like the temperature, K.
 struct StageGuess {
   Eigen::VectorXd temperature, content, power;

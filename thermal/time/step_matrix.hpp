@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "core/linear/cholesky.hpp"
 #include "thermal/system.hpp"
 #include "thermal/time/couplings.hpp"
+#include "thermal/time/substeps.hpp"
 
 namespace parison::thermal {
 
@@ -29,25 +29,18 @@ Linearisation linearise(const HeatSystem& system, double time, const Eigen::Vect
 Eigen::VectorXd apply(const HeatSystem& system, const Linearisation& linearisation, double step,
                       const Eigen::VectorXd& change);
 
-/// Cholesky factor of C + step K for implicit stages, reused from step to step: C the heat capacity matrix, K the
-/// stiffness of conduction, exchange and interface at the time and temperatures of the factorisation. Of the
-/// derivatives of conductivity and conductance K contains only the symmetric positive part: a conductance that rises
-/// with the slave's temperature, in the slave's own block. Newton's method with this matrix is a modified one;
-/// solve_stage also uses the full derivative.
-struct StepMatrix {
+/// Matrix of the stages, the upper triangle with the unknowns in the elimination order. Of the derivatives of
+/// conductivity and conductance K contains only the symmetric positive part: a conductance that rises with the slave's
+/// temperature, in the slave's own block. Newton's method with this matrix is a modified one; solve_stage also uses the
+/// full derivative.
+struct StepMatrix : HeatMatrix {
   std::vector<Index> topology;      ///< unknowns of all cells and boundary edges
   std::vector<Coupling> couplings;  ///< wanted in the pattern; `prepare` replaces them where the interface asks
   std::vector<Coupling> analysed_couplings;  ///< present in the pattern
   Index first_coupling = 0;                  ///< clique of the first coupling
   std::vector<Index> segment_clique;         ///< of each segment of the interface
-  std::vector<char> is_prescribed;           ///< by unknown; their rows and columns are those of the identity
   std::vector<Index> order;                  ///< elimination order: order[k] is the unknown eliminated as the k-th
-  core::Assembly assembly;                   ///< upper triangle, unknowns in the elimination order
-  core::Cholesky cholesky;
-  Eigen::VectorXd diagonal;     ///< by unknown, J/K
-  std::vector<KeptCells> kept;  ///< by body
-  double factored_step = 0;     ///< s; 0 without a factor
-  Index factorisations = 0;     ///< since the start
+  std::vector<KeptCells> kept;               ///< by body
 };
 
 /// Adds a dense symmetric matrix of the given unknowns, row-major count x count, J/K, except for the rows and columns

@@ -50,11 +50,6 @@ double write_step(const std::string& path, const ContainerShape& shape) {
   return volume;
 }
 
-double volume_of_step(const std::string& path) {
-  static auto& read = core::gmsh_function<decltype(parison_read_volume)>("parison_read_volume");
-  return volume_from_kernel(path, [&](std::string& text) { read(path, text); });
-}
-
 namespace {
 
 using core::Point;

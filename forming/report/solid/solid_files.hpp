@@ -10,9 +10,6 @@ namespace parison::forming {
 /// turned about the z axis. Returns the volume of the solid, m3. Throws core::RunError where the CAD kernel cannot.
 double write_step(const std::string& path, const ContainerShape& shape);
 
-/// The volume of the solids in a STEP file, m3.
-double volume_of_step(const std::string& path);
-
 /// Writes its surface as triangles, mm, binary STL with outward normals; flat sides deviate from the circle by at most
 /// `deviation`, m, and are 120 at least. Returns the volume that they enclose, m3.
 double write_stl(const std::string& path, const ContainerShape& shape, double deviation = 1e-5);

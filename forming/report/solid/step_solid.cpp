@@ -129,16 +129,4 @@ extern "C" void parison_write_solid(const std::string& path, const ContainerShap
   volume_text = fmt::format("{}", volume);
 }
 
-extern "C" void parison_read_volume(const std::string& path, std::string& volume_text) {
-  gmsh::vectorpair found;
-  occ::importShapes(path, found, true, "step");
-  double sum = 0;
-  for (const auto& [dimension, tag] : found) {
-    double volume = 0;
-    if (dimension == 3) occ::getMass(3, tag, volume);
-    sum += volume;
-  }
-  volume_text = fmt::format("{}", sum);
-}
-
 }  // namespace parison::forming

@@ -11,7 +11,4 @@ namespace parison::forming {
 /// Writes the solid and gives its volume as a text, mm3.
 extern "C" void parison_write_solid(const std::string& path, const ContainerShape& shape, std::string& volume_text);
 
-/// Gives the volume of the solids in a file as a text, mm3.
-extern "C" void parison_read_volume(const std::string& path, std::string& volume_text);
-
 }  // namespace parison::forming

@@ -61,10 +61,6 @@ inline std::map<std::string, std::string> results(const std::string& folder) {
   return files;
 }
 
-inline void write_summary_of(const Scene& scene, const std::string& folder, const RunOutcome& outcome) {
-  write_summary(folder, scene, outcome);
-}
-
 inline void expect_same_results(const std::string& folder, const std::string& reference) {
   const auto a = results(folder), b = results(reference);
   std::set<std::string> names;

@@ -52,14 +52,14 @@ bool kill_at(pid_t process, const std::string& results, long lines) {
 
 TEST_F(Resume, a_run_killed_three_times_ends_as_the_uninterrupted_one_to_the_last_bit) {
   const auto whole = run_in_folder(scene, in("whole"));
-  write_summary_of(scene, in("whole"), whole);
+  write_summary(in("whole"), scene, whole);
   const long steps = whole.state.totals.steps;
   ASSERT_TRUE(kill_at(start_process([&] { return run_in_folder(scene, in("killed")).facts.completed; }), in("killed"),
                       steps / 5));
   for (const long lines : {2 * steps / 5, 4 * steps / 5})
     ASSERT_TRUE(kill_at(start_process([&] { return resume_in_folder(scene, in("killed")).facts.completed; }),
                         in("killed"), lines));
-  write_summary_of(scene, in("killed"), resume_in_folder(scene, in("killed")));
+  write_summary(in("killed"), scene, resume_in_folder(scene, in("killed")));
   expect_same_results(in("killed"), in("whole"));
 }
 
@@ -80,7 +80,7 @@ std::string reason_when_hindered(const Scene& scene, const std::string& folder, 
     hinder();
     const auto outcome = run_in_folder(scene, folder, {}, each_step);
     core::write_text(folder + ".reason", outcome.facts.reason);
-    write_summary_of(scene, folder, outcome);
+    write_summary(folder, scene, outcome);
     return true;
   });
   ::waitpid(process, nullptr, 0);
@@ -103,8 +103,8 @@ TEST_F(Resume, a_run_out_of_room_says_so_and_goes_on_from_its_last_checkpoint_wh
   EXPECT_NE(summary.find("cannot be written: File too large\""), summary.npos);
   const auto checkpoint = read_checkpoint(find_checkpoint(in("full")), scene);
   EXPECT_GT(checkpoint.outcome.state.totals.steps, 3);
-  write_summary_of(scene, in("full"), resume_in_folder(scene, in("full")));
-  write_summary_of(scene, in("whole"), run_in_folder(scene, in("whole")));
+  write_summary(in("full"), scene, resume_in_folder(scene, in("full")));
+  write_summary(in("whole"), scene, run_in_folder(scene, in("whole")));
   expect_same_results(in("full"), in("whole"));
 }
 

@@ -30,8 +30,8 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
   const auto whole = run_in_folder(scene, in("whole"));
   ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
   ASSERT_GE(remeshes(whole.state), 4);
-  write_summary_of(scene, in("whole"), whole);
-  write_summary_of(scene, in("again"), run_in_folder(scene, in("again")));
+  write_summary(in("whole"), scene, whole);
+  write_summary(in("again"), scene, run_in_folder(scene, in("again")));
   expect_same_results(in("again"), in("whole"));
 
   auto outcome = run_in_folder(scene, in("parts"), {}, stop_after(4));
@@ -47,10 +47,10 @@ TEST_F(Resume, a_run_stopped_again_and_again_is_the_uninterrupted_one_to_the_las
   EXPECT_GE(parts, 5);
   EXPECT_GE(remeshes_before.size(), 3u);
   EXPECT_GT(outcome.facts.wall_seconds, 0.2 * whole.facts.wall_seconds);
-  write_summary_of(scene, in("parts"), outcome);
+  write_summary(in("parts"), scene, outcome);
   expect_same_results(in("parts"), in("whole"));
   // A run that is over has nothing left to do.
-  write_summary_of(scene, in("parts"), resume_in_folder(scene, in("parts")));
+  write_summary(in("parts"), scene, resume_in_folder(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
 
@@ -90,7 +90,7 @@ TEST_F(Resume, trapped_air_is_part_of_the_state_to_the_last_bit) {
   scene = read_scene(folder.string(), "draft");
   const auto whole = run_in_folder(scene, in("whole"));
   ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
-  write_summary_of(scene, in("whole"), whole);
+  write_summary(in("whole"), scene, whole);
   const std::string history = core::read_text(in("whole") + "/history.csv");
   EXPECT_NE(history.find(",cavities,"), std::string::npos);
   auto outcome = run_in_folder(scene, in("parts"), {}, stop_after(5));
@@ -101,7 +101,7 @@ TEST_F(Resume, trapped_air_is_part_of_the_state_to_the_last_bit) {
     outcome = resume_in_folder(scene, in("parts"), {}, stop_after(5));
   }
   EXPECT_GE(sealed, 1u);
-  write_summary_of(scene, in("parts"), outcome);
+  write_summary(in("parts"), scene, outcome);
   expect_same_results(in("parts"), in("whole"));
 }
 
@@ -121,14 +121,14 @@ TEST_F(Resume, a_step_does_not_depend_on_what_the_solvers_keep) {
 TEST_F(Resume, a_static_stage_goes_on_from_its_last_checkpoint_to_the_same_bits) {
   scene = static_stage();
   scene.output.checkpoint_steps = 4;
-  write_summary_of(scene, in("whole"), run_in_folder(scene, in("whole")));
+  write_summary(in("whole"), scene, run_in_folder(scene, in("whole")));
   auto outcome = run_in_folder(scene, in("parts"), {}, stop_after(10));
   for (const Index steps : {8, 16}) {
     ASSERT_TRUE(outcome.facts.stopped);
     EXPECT_EQ(read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps, steps);
     outcome = resume_in_folder(scene, in("parts"), {}, stop_after(9));
   }
-  write_summary_of(scene, in("parts"), resume_in_folder(scene, in("parts")));
+  write_summary(in("parts"), scene, resume_in_folder(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
 
@@ -136,13 +136,13 @@ TEST_F(Resume, a_checkpoint_by_the_clock_in_a_static_stage_changes_no_bit) {
   scene = static_stage();
   scene.accuracy.temperature_tolerance = 1e-6;  // many steps of the integrator
   scene.accuracy.max_step = 0.05;
-  write_summary_of(scene, in("whole"), run_in_folder(scene, in("whole")));
+  write_summary(in("whole"), scene, run_in_folder(scene, in("whole")));
   scene.output.checkpoint_interval = 1e-9;
   ASSERT_TRUE(run_in_folder(scene, in("parts"), {}, stop_after(36)).facts.stopped);
   const Index steps = read_checkpoint(find_checkpoint(in("parts")), scene).outcome.state.totals.steps;
   EXPECT_GT(steps, 0);
   EXPECT_LT(steps, 36);
-  write_summary_of(scene, in("parts"), resume_in_folder(scene, in("parts")));
+  write_summary(in("parts"), scene, resume_in_folder(scene, in("parts")));
   expect_same_results(in("parts"), in("whole"));
 }
 

@@ -24,14 +24,14 @@ const std::string rest = "name = \"rest\"\nduration = \"0.1 s\"";
 
 TEST_F(Resume, from_the_end_of_a_stage_a_run_goes_on_as_before_to_the_last_bit) {
   const auto whole = run_in_folder(scene, in("whole"));
-  write_summary_of(scene, in("whole"), whole);
+  write_summary(in("whole"), scene, whole);
   fs::copy(in("whole"), in("back"), fs::copy_options::recursive);
   return_to_stage_end(in("back"), "press");
   EXPECT_FALSE(fs::exists(in("back/checkpoint_after_rest.h5")));
   const Checkpoint checkpoint = read_checkpoint(find_checkpoint(in("back")), scene);
   EXPECT_EQ(checkpoint.outcome.state.stage, 0);
   EXPECT_LT(checkpoint.files.history_size, fs::file_size(in("whole/history.csv")));
-  write_summary_of(scene, in("back"), resume_in_folder(scene, in("back")));
+  write_summary(in("back"), scene, resume_in_folder(scene, in("back")));
   expect_same_results(in("back"), in("whole"));
   try {
     return_to_stage_end(in("back"), "prss");
@@ -43,11 +43,11 @@ TEST_F(Resume, from_the_end_of_a_stage_a_run_goes_on_as_before_to_the_last_bit) 
 }
 
 TEST_F(Resume, with_a_later_stage_corrected_a_run_is_that_of_the_corrected_case) {
-  write_summary_of(scene, in("parts"), run_in_folder(scene, in("parts")));
+  write_summary(in("parts"), scene, run_in_folder(scene, in("parts")));
   return_to_stage_end(in("parts"), "press");
   const Scene now = corrected(folder, rest, "name = \"rest\"\nduration = \"0.05 s\"");
-  write_summary_of(now, in("parts"), resume_in_folder(now, in("parts")));
-  write_summary_of(now, in("whole"), run_in_folder(now, in("whole")));
+  write_summary(in("parts"), now, resume_in_folder(now, in("parts")));
+  write_summary(in("whole"), now, run_in_folder(now, in("whole")));
   expect_same_results(in("parts"), in("whole"));
 }
 

@@ -126,18 +126,16 @@ class ViewTracer {
 
   /// Sends `count` rays from an edge, evenly along it and with the cosine law.
   void send(Index e, int count) {
-    // The R2 sequence of M. Roberts: multiples of the powers of the inverse plastic number.
-    constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
     if (section_.facet_at(e, 0) < 0) return;
     double sum = 0;
     for (int i = 0; i < count; ++i) sum += depth_at(e, (i + 0.5) / count);
     rays_[edges_[e].patch] += count;
     area_[edges_[e].patch] += edges_[e].area;
     for (int i = 0; i < count; ++i, ++sent_) {
-      const double s = (i + 0.5) / count, square = std::fmod(0.5 + static_cast<double>(sent_) * first, 1.0);
-      const double azimuth = M_PI * std::fmod(0.5 + static_cast<double>(sent_) * second, 1.0);
+      const double s = (i + 0.5) / count;
+      const auto [square, turn] = spread_place(sent_);
       if (const int weight = part_.weight(sent_); weight > 0)
-        follow(e, s, std::sqrt(square), azimuth, weight * edges_[e].area * depth_at(e, s) / sum);
+        follow(e, s, std::sqrt(square), M_PI * turn, weight * edges_[e].area * depth_at(e, s) / sum);
     }
   }
   /// Whether something lies so close before an edge that nothing goes past it.

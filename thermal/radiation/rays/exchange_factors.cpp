@@ -245,8 +245,6 @@ std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geo
   };
   for (std::size_t e = 0; e < surface.size(); ++e)
     if (starts_at(e)) length += length_of(e);
-  // The R2 sequence of M. Roberts: multiples of the powers of the inverse plastic number.
-  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
   long k = 0;
   for (std::size_t e = 0; e < surface.size(); ++e) {
     if (!starts_at(e)) continue;
@@ -258,11 +256,11 @@ std::vector<ExchangeFactors> trace_exchange(const core::Mesh& mesh, Geometry geo
     for (int i = 0; i < count; ++i)
       sum += core::depth(geometry, {tracer.section().point(edge, (i + 0.5) / count)[0], 0});
     for (int i = 0; i < count; ++i, ++k) {
-      const double s = (i + 0.5) / count, square = std::fmod(0.5 + static_cast<double>(k) * first, 1.0);
-      const double azimuth = M_PI * std::fmod(0.5 + static_cast<double>(k) * second, 1.0);
+      const double s = (i + 0.5) / count;
+      const auto [square, turn] = spread_place(k);
       const double area = exact * core::depth(geometry, {tracer.section().point(edge, s)[0], 0}) / sum;
       if (const int weight = resolution.part.weight(k); weight > 0)
-        tracer.follow(edge, s, std::sqrt(square), azimuth, weight * index * index * area);
+        tracer.follow(edge, s, std::sqrt(square), M_PI * turn, weight * index * index * area);
     }
   }
   return tracer.result();

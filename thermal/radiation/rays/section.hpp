@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,13 @@ struct Hit {
   Index facet;
   bool from_behind = false;  ///< met against its normal: the ray was not where the body is
 };
+
+/// The k-th place of the unit square, evenly filled: the R2 sequence of M. Roberts, of multiples of the powers of the
+/// inverse plastic number.
+inline std::array<double, 2> spread_place(long k) {
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  return {std::fmod(0.5 + static_cast<double>(k) * first, 1.0), std::fmod(0.5 + static_cast<double>(k) * second, 1.0)};
+}
 
 /// First, last and mid point of a quadratic edge in the section, the body on its left.
 using SectionEdge = std::array<Point, 3>;
