@@ -73,8 +73,9 @@ void add_new(CLI::App& app, Command& chosen) {
   auto* like = command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
   auto* process = command
                       ->add_option("--process", request->wish.process,
-                                   "nnpb or press_and_blow: a first gob, blank, plunger and mould of ordinary "
-                                   "proportions for the weight, capacity and height that are given")
+                                   fmt::format("of {}: a first gob, blank, plunger and mould of ordinary proportions "
+                                               "for the weight, capacity and height that are given",
+                                               processes))
                       ->excludes(like);
   const auto add = [&](const char* name, std::string& text, const char* help, bool needed) {
     auto* option = command->add_option(name, text, help)->needs(process);
@@ -83,7 +84,8 @@ void add_new(CLI::App& app, Command& chosen) {
   add("--weight", request->wish.weight, "of the glass, \"180 g\"", true);
   add("--capacity", request->wish.capacity, "to the rim, \"330 ml\"", true);
   add("--height", request->wish.height, "of the container, \"220 mm\"", true);
-  add("--finish", request->wish.finish, "outer diameter of the finish [26.6 mm; 62 mm]", false);
+  add("--finish", request->wish.finish,
+      "outer diameter of the finish, or of the rim of pressed ware [that of the template]", false);
 }
 
 void add_cycle(CLI::App& app, Command& chosen) {

@@ -15,8 +15,13 @@ namespace {
 
 constexpr double mm = 1e-3;
 
-std::string radius_text(const char* name, double value) {
+std::string length_text(const char* name, double value) {
   return fmt::format("dimension.{}={:.6f} mm", name, value / mm);
+}
+
+bool has(const forming::Scene& scene, const std::string& name) {
+  return std::any_of(scene.dimensions.begin(), scene.dimensions.end(),
+                     [&](const auto& one) { return one.name == name; });
 }
 
 double dimension_of(const forming::Scene& scene, const std::string& name) {
@@ -25,15 +30,22 @@ double dimension_of(const forming::Scene& scene, const std::string& name) {
   throw core::CaseError(fmt::format("the template has no dimension \"{}\"", name));
 }
 
-/// A drop of glass and a plunger that moves to where it is to stop: the volumes then depend on the tools alone.
-std::vector<std::string> without_press(const std::vector<std::string>& given) {
+/// A drop of glass, midway before a plunger that moves to where it is to stop: the volumes then depend on the tools
+/// alone.
+std::vector<std::string> without_gob(const forming::Scene& scene, const std::vector<std::string>& given) {
   std::vector<std::string> overrides = given;
-  overrides.push_back("glass.gob={ mass = \"1 g\", diameter = \"5 mm\", at = \"(0 mm, 0.4*blank_length)\" }");
-  overrides.push_back(
-      "stage.press={ name = \"press\", duration = \"1 s\", gravity = \"-9.81 m/s2\", tools = [\"ring\", \"plate\", "
-      "\"blank\", \"plunger\"], motion = { plunger = { offset = [[\"0 s\", \"0 mm\"], [\"1 s\", \"blank_length - "
-      "parison_base\"]] } } }");
-  overrides.push_back("tool.plunger.position=0 mm");
+  std::string place = "in = \"blank\"";
+  for (const forming::Stage& stage : scene.stages) {
+    if (stage.name != "press") continue;
+    place = "at = \"(0 mm, 0.5*(plunger_start + parison_stop))\"";
+    std::string tools;
+    for (const auto& entry : stage.tools) tools += fmt::format("\"{}\", ", scene.tools[entry.tool].name);
+    overrides.push_back(fmt::format(
+        "stage.press={{ name = \"press\", duration = \"1 s\", gravity = \"-9.81 m/s2\", tools = [{}], motion "
+        "= {{ plunger = {{ offset = [[\"0 s\", \"plunger_start\"], [\"1 s\", \"parison_stop\"]] }} }} }}",
+        tools));
+  }
+  overrides.push_back(fmt::format("glass.gob={{ mass = \"0.2 g\", diameter = \"5 mm\", {} }}", place));
   return overrides;
 }
 
@@ -57,29 +69,47 @@ double where(double begin, double value, const Function& function) {
 
 }  // namespace
 
+bool is_pressed(const forming::Scene& scene) {
+  return !has(scene, "blank_radius");
+}
+
 ContainerFit fit_container(const std::string& file, const std::vector<std::string>& given, double capacity,
                            double mass) {
-  const std::vector<std::string> base = without_press(given);
-  const auto scene_with = [&](const char* name, double radius) {
+  const std::vector<std::string> base = without_gob(forming::read_scene(file, "draft"), given);
+  const auto scene_with = [&](const char* name, double length) {
     std::vector<std::string> overrides = base;
-    overrides.push_back(radius_text(name, radius));
+    overrides.push_back(length_text(name, length));
     return forming::read_scene(file, "draft", overrides);
   };
   const forming::Scene first = forming::read_scene(file, "draft", base);
   const auto& plan = first.container;
   if (!plan) throw core::CaseError("the template has no container");
   const double glass = mass * plan->glass_volume / plan->mass, height = dimension_of(first, "height");
-  const auto mould = [&](double radius) { return scene_with("body_radius", radius).container->outside.value_or(0); };
-  const auto cavity = [&](double radius) {
-    const forming::Scene scene = scene_with("blank_radius", radius);
-    return scene.container->press ? scene.container->press->cavity : 0;
+  const bool pressed = is_pressed(first);
+  const char* const second = pressed ? "wall" : "blank_radius";
+  const auto outside = [&](double radius) {
+    const forming::ContainerPlan with = *scene_with("body_radius", radius).container;
+    return with.outside.value_or(with.capacity.value_or(0) + (with.press ? with.press->cavity : 0));
   };
-  const double body = where(std::sqrt((capacity + glass) / (0.75 * M_PI * height)), capacity + glass, mould);
-  const double blank = where(0.9 * dimension_of(first, "plunger_radius") + 0.25 * body, glass, cavity);
+  const auto cavity = [&](double length) {
+    const auto parison = scene_with(second, length).container->parison;
+    return parison ? parison->cavity : 0;
+  };
+  const double body = where(std::sqrt((capacity + glass) / (0.75 * M_PI * height)), capacity + glass, outside);
+  const double rim = dimension_of(scene_with("body_radius", body), "finish_radius");
+  if (pressed && rim < body)
+    throw core::CaseError(fmt::format(
+        "no plunger comes out of a rim with a radius of {:.4g} mm over a foot of {:.4g} mm", rim / mm, body / mm));
+  const double share = has(first, "parison_share") ? dimension_of(first, "parison_share") : 1;
+  const double begin = pressed ? 0.12 * body : 0.9 * dimension_of(first, "plunger_radius") + 0.25 * body;
+  const double length = where(begin, glass / share, cavity);
+  if (has(first, "blank_neck_radius") && length < dimension_of(first, "blank_neck_radius"))
+    throw core::CaseError(fmt::format("a blank with a radius of {:.4g} mm is narrower than its neck of {:.4g} mm",
+                                      length / mm, dimension_of(first, "blank_neck_radius") / mm));
   std::vector<std::string> overrides = given;
-  overrides.push_back(radius_text("body_radius", std::round(1e5 * body) / 1e5));
-  overrides.push_back(radius_text("blank_radius", std::round(1e5 * blank) / 1e5));
-  return {overrides, body, blank};
+  overrides.push_back(length_text("body_radius", std::round(1e5 * body) / 1e5));
+  overrides.push_back(length_text(second, std::round(1e5 * length) / 1e5));
+  return {overrides, body, length};
 }
 
 }  // namespace parison::tools

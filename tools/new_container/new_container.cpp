@@ -37,8 +37,7 @@ std::string template_of(const std::string& process) {
   const auto file = shared_file("tools/new_container/templates") / (process + ".toml");
   if (process.find_first_of("/.") == process.npos && std::filesystem::exists(file)) return file.string();
   throw core::CaseError(fmt::format(
-      "--process: \"{}\" was found, allowed are nnpb and press_and_blow; for others `parison new NAME --like CASE`",
-      process));
+      "--process: \"{}\" was found, allowed are {}; for others `parison new NAME --like CASE`", process, processes));
 }
 
 /// A design, and what `parison check` would find unusual about it.
@@ -47,22 +46,33 @@ struct Design {
   std::size_t findings;
 };
 
+/// Refuses tools that do not go into each other, and pressed walls beyond those of the trade.
+void check_design(const forming::Scene& scene, const ContainerFit& fit, double capacity) {
+  const double off = scene.container->capacity.value_or(0) / capacity - 1;
+  constexpr double thinnest = 2 * mm, thickest = 12 * mm;  // assumed
+  if (is_pressed(scene) && (fit.second < thinnest || fit.second > thickest))
+    throw core::CaseError(fmt::format("its wall is {:.2g} mm, usual of pressed ware are {:g} to {:g} mm",
+                                      fit.second / mm, thinnest / mm, thickest / mm));
+  if (std::abs(off) > within || !scene.container->parison || fit.second >= fit.body)
+    throw core::CaseError(
+        fmt::format("a blank with a radius of {:.4g} mm does not go into a mould with one of {:.4g} mm",
+                    fit.second / mm, fit.body / mm));
+}
+
 /// Blanks of several lengths, shares of the height, the usual one first: a short one holds much glass, a long one
-/// little. The first of which nothing is unusual, else that with the fewest findings.
+/// little. The first of which nothing is unusual, else that with the fewest findings. Pressed ware has one design.
 Design best_design(const std::string& file, const std::vector<std::string>& given, double capacity, double mass) {
   std::optional<Design> best;
   std::string refused;
+  const bool pressed = is_pressed(forming::read_scene(file, "draft"));
   for (const double share : {0.0, 0.6, 0.7, 0.55, 0.76, 0.5, 0.82, 0.45}) {
+    if (share > 0 && pressed) break;
     std::vector<std::string> overrides = given;
     if (share > 0) overrides.push_back(fmt::format("dimension.blank_length={} * height", share));
     try {
       const ContainerFit fit = fit_container(file, overrides, capacity, mass);
       const forming::Scene scene = forming::read_scene(file, "draft", fit.overrides);
-      const double off = scene.container->capacity.value_or(0) / capacity - 1;
-      if (std::abs(off) > within || !scene.container->press || fit.blank >= fit.body)
-        throw core::CaseError(
-            fmt::format("a blank with a radius of {:.4g} mm does not go into a mould with one of {:.4g} mm",
-                        fit.blank / mm, fit.body / mm));
+      check_design(scene, fit, capacity);
       const std::size_t findings = forming::unusual_values(scene).size();
       if (!best || findings < best->findings) best = Design{fit, findings};
       if (findings == 0) return *best;
@@ -95,7 +105,7 @@ std::string resolved(const std::string& file, const std::vector<std::string>& ov
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
     text = core::edited_case_text(
         text, file, fmt::format("stage.{}.duration={:g} s", i, std::round(100 * scene.stages[i].duration) / 100));
-  return std::regex_replace(text, std::regex("parison_(base|wall) = [^\n]*\n"), "");
+  return std::regex_replace(text, std::regex("parison_[a-z]+ = [^\n]*\n"), "");
 }
 
 }  // namespace

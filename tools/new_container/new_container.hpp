@@ -4,13 +4,16 @@
 
 namespace parison::tools {
 
+/// The processes that have a template.
+inline constexpr const char* processes = "nnpb, press_and_blow, blow_and_blow and pressed";
+
 /// What a new container is to be, as given.
 struct ContainerWish {
   std::string process;   ///< "nnpb"
   std::string weight;    ///< "180 g"
   std::string capacity;  ///< to the rim, "330 ml"
   std::string height;    ///< "220 mm"
-  std::string finish;    ///< outer diameter, "28 mm"; empty: as in the template
+  std::string finish;    ///< outer diameter, of pressed ware that of the rim, "28 mm"; empty: as in the template
 };
 
 /// The text of a case for it: the template of its process, whose formulas are the proportions, as plain dimensions. The

@@ -259,7 +259,8 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
 /// glass that air blows up, before a mould of the last stage comes.
 void plan_parison(const Scene& scene, const Placed& placed, ContainerPlan& plan) {
   if (plan.press) {
-    plan.parison = ParisonPlan{plan.press->stage, plan.press->tool, plan.press->low, plan.press->high};
+    plan.parison =
+        ParisonPlan{plan.press->stage, plan.press->tool, plan.press->low, plan.press->high, plan.press->cavity};
     return;
   }
   Index mould = 0;  // first use of the tool of the last stage that comes last
@@ -270,7 +271,7 @@ void plan_parison(const Scene& scene, const Placed& placed, ContainerPlan& plan)
                                       [](const auto& pressure) { return pressure.second.max() > 0; });
     if (!is_blown) continue;
     if (const auto cavity = closed_region(placed, stage, {})) {
-      plan.parison = ParisonPlan{i, {}, cavity->low, cavity->high};
+      plan.parison = ParisonPlan{i, {}, cavity->low, cavity->high, cavity->volume};
       return;
     }
   }

@@ -26,6 +26,7 @@ struct ParisonPlan {
   Index stage;                   ///< index into Scene::stages
   std::optional<Index> plunger;  ///< that the press moves; none where air forms the parison
   double low, high;              ///< of the cavity, m along the axis
+  double cavity;                 ///< its volume, m3
 };
 
 /// What drawings and mass say about the container before anything is run.

@@ -31,6 +31,8 @@ async function make(asked, button) {
 const ordinary = {
   nnpb: { weight: "180 g", capacity: "330 ml", height: "220 mm", finish: "26 mm" },
   press_and_blow: { weight: "220 g", capacity: "430 ml", height: "130 mm", finish: "66 mm" },
+  blow_and_blow: { weight: "450 g", capacity: "770 ml", height: "300 mm", finish: "29 mm" },
+  pressed: { weight: "230 g", capacity: "250 ml", height: "100 mm", finish: "73 mm" },
 };
 
 function newForm(taken) {
