@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/radiation/light_heat.hpp"
+#include "thermal/radiation/rays/traced_rays.hpp"
 #include "thermal/system.hpp"
 #include "thermal/time/step_matrix.hpp"
 
@@ -10,25 +11,6 @@ namespace {
 /// Share of a derivative of the emission that stands in the matrix of modified Newton: none to all of the light is
 /// absorbed again, so the matrix is never off by more than half.
 constexpr double not_absorbed_again = 0.5;
-
-Field emission_slope(const Light& light, int group, const Field& temperature) {
-  Field slope(temperature.size());
-  const LightLaws& laws = light.laws();
-  for (std::size_t g = 0; g < slope.size(); ++g)
-    for (int q = 0; q < core::cell_points; ++q)
-      for (int lane = 0; lane < core::batch_size; ++lane)
-        slope[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).derivative;
-  multiply_by_absorption(light, group, slope);
-  return slope;
-}
-
-/// Emission of the cells when the temperatures at their points change.
-Field changed_emission(const Field& slope, const Field& change) {
-  Field emitted = slope;
-  for (std::size_t g = 0; g < emitted.size(); ++g)
-    for (int q = 0; q < core::cell_points; ++q) emitted[g][q] *= change[g][q];
-  return emitted;
-}
 
 /// Emissive powers of the patches when the temperatures change.
 PatchEmission changed_patches(const Enclosure& enclosure, const Eigen::ArrayXd& slope, const Eigen::VectorXd& change) {
@@ -82,7 +64,8 @@ LightDerivatives linearise_light(const Light& light, const HeatSystem& system, c
   result.opaque_slave = result.opaque_master = result.opaque_open = Eigen::ArrayXd::Zero(points);
   result.from_tool.assign(light.laws().group_count(), Eigen::ArrayXd::Zero(points));
   const Field at_cells = at_cell_points(light, system, temperature);
-  for (int k = 0; k < light.laws().group_count(); ++k) result.emission.push_back(emission_slope(light, k, at_cells));
+  for (int k = 0; k < light.laws().group_count(); ++k)
+    result.emission.push_back(emission_at(light, k, at_cells, &Emission::derivative));
   linearise_surface(light, system, temperature, result);
   for (int k = 0; light.enclosure && k < light.laws().group_count(); ++k) {
     auto& slope = result.from_surfaces.emplace_back(static_cast<Eigen::Index>(system.enclosure->points.size()));
@@ -103,7 +86,7 @@ void apply_light(const Light& light, const HeatSystem& system, const LightDeriva
   const Eigen::ArrayXd opaque = to_tool - derivatives.opaque_open * sides.slave;
   for (int k = 0; k < light.laws().group_count(); ++k) {
     const Eigen::ArrayXd from_tool = derivatives.from_tool[k] * sides.master;
-    GroupSource source{changed_emission(derivatives.emission[k], at_cells),
+    GroupSource source{product(derivatives.emission[k], at_cells),
                        std::vector<std::array<double, 3>>(light.edges.size(), {0, 0, 0}), from_tool};
     if (light.enclosure) source.patches = changed_patches(*system.enclosure, derivatives.from_surfaces[k], change);
     const GroupLight found = solve_group(light, k, source);

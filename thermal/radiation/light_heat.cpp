@@ -34,17 +34,6 @@ double outside_of(const Light& light, const LightEdge& edge, int q, int group, c
   return light.laws().irradiation(group, at_point(temperature, edge.temperature, edge.shape[q].data())).value;
 }
 
-Field emission_at(const Light& light, int group, const Field& temperature) {
-  Field emitted(temperature.size());
-  const LightLaws& laws = light.laws();
-  for (std::size_t g = 0; g < emitted.size(); ++g)
-    for (int q = 0; q < core::cell_points; ++q)
-      for (int lane = 0; lane < core::batch_size; ++lane)
-        emitted[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).value;
-  multiply_by_absorption(light, group, emitted);
-  return emitted;
-}
-
 /// What the patches of the enclosure and their surroundings emit in a group.
 PatchEmission patches_of(const Light& light, const HeatSystem& system, int group, double time,
                          const Eigen::VectorXd& temperature) {
@@ -64,7 +53,7 @@ GroupState state_of(const Light& light, const HeatSystem& system, int group, con
   const LightLaws& laws = light.laws();
   GroupState state{{}, {}, {}, Eigen::ArrayXd(tool_temperature.size())};
   for (const double T : surroundings) state.surroundings.push_back(laws.irradiation(group, T).value);
-  state.source.cells = emission_at(light, group, at_cells);
+  state.source.cells = emission_at(light, group, at_cells, &Emission::value);
   for (const LightEdge& edge : light.edges) {
     auto &outside = state.at_edges.emplace_back(), &sent = state.source.edges.emplace_back();
     for (int q = 0; q < 3; ++q) {
@@ -153,6 +142,17 @@ void multiply_by_absorption(const Light& light, int group, Field& values) {
       values[g][q] *= absorption * light.volumes[g][q];
       if (relative) values[g][q] *= (*relative)[g][q];
     }
+}
+
+Field emission_at(const Light& light, int group, const Field& temperature, double Emission::*part) {
+  Field emitted(temperature.size());
+  const LightLaws& laws = light.laws();
+  for (std::size_t g = 0; g < emitted.size(); ++g)
+    for (int q = 0; q < core::cell_points; ++q)
+      for (int lane = 0; lane < core::batch_size; ++lane)
+        emitted[g][q][lane] = laws.irradiation(group, temperature[g][q][lane]).*part;
+  multiply_by_absorption(light, group, emitted);
+  return emitted;
 }
 
 Field at_cell_points(const Light& light, const HeatSystem& system, const Eigen::VectorXd& temperature) {

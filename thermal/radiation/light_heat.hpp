@@ -11,6 +11,8 @@ Field at_cell_points(const Light& light, const HeatSystem& system, const Eigen::
 /// Multiplies numbers at the quadrature points by the absorption coefficient of a group there, 1/m, and by the volume
 /// of the points, m3.
 void multiply_by_absorption(const Light& light, int group, Field& values);
+/// What the cells emit in a group at temperatures at their quadrature points, K, W, or its derivative, W/K.
+Field emission_at(const Light& light, int group, const Field& temperature, double Emission::*part);
 
 /// What cells and surface send in a group, W: at the quadrature points of the cells, of the edges and of the interface.
 struct GroupSource {
