@@ -90,6 +90,15 @@ std::vector<core::Segment> arcs_of_spline(const Spline& spline, double tolerance
   return arcs;
 }
 
+void bend(core::Segment& segment, double turn) {
+  const Point along = segment.end - segment.start, left(-along[1], along[0]);
+  segment.is_arc = true;
+  segment.centre = 0.5 * (segment.start + segment.end) + left / (2 * std::tan(0.5 * turn));
+  segment.radius = (segment.start - segment.centre).norm();
+  segment.from = std::atan2(segment.start[1] - segment.centre[1], segment.start[0] - segment.centre[0]);
+  segment.to = segment.from + turn;
+}
+
 namespace {
 
 using core::Segment;
@@ -100,14 +109,7 @@ Segment arc_of(const Point& start, const Point& end, double turn, double straigh
   Segment arc;
   arc.start = start;
   arc.end = end;
-  const Point along = end - start;
-  if (std::abs(turn) * along.norm() / 8 < straight) return arc;
-  const Point left(-along[1], along[0]);
-  arc.is_arc = true;
-  arc.centre = 0.5 * (start + end) + left / (2 * std::tan(0.5 * turn));
-  arc.radius = (start - arc.centre).norm();
-  arc.from = std::atan2(start[1] - arc.centre[1], start[0] - arc.centre[0]);
-  arc.to = arc.from + turn;
+  if (std::abs(turn) * (end - start).norm() / 8 >= straight) bend(arc, turn);
   return arc;
 }
 

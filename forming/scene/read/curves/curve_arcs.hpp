@@ -15,6 +15,9 @@ namespace parison::forming {
 std::vector<core::Segment> mirrored(const std::vector<core::Segment>& path, const core::Point& first,
                                     const core::Point& second);
 
+/// Makes a segment the arc between its ends that turns by an angle, positive to the left.
+void bend(core::Segment& segment, double turn);
+
 /// A plane rational B-spline.
 struct Spline {
   std::size_t degree;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -22,12 +23,7 @@ void move_ends(Segment& curve, const Point& start, const Point& end) {
   curve.start = start;
   curve.end = end;
   if (!curve.is_arc) return;
-  const double turn = curve.to - curve.from;
-  const Point along = end - start, left(-along[1], along[0]);
-  curve.centre = 0.5 * (start + end) + left / (2 * std::tan(0.5 * turn));
-  curve.radius = (start - curve.centre).norm();
-  curve.from = std::atan2(start[1] - curve.centre[1], start[0] - curve.centre[0]);
-  curve.to = curve.from + turn;
+  bend(curve, curve.to - curve.from);
 }
 
 /// Brings the end of one curve and the start of the next, which may be the same one, together.
