@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thermal/system.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <numeric>
 

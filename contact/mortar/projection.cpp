@@ -2,7 +2,6 @@
 #include "contact/mortar/projection.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "contact/mortar/root.hpp"
 

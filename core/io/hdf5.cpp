@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include <filesystem>
 #include <mutex>
 #include <utility>
 

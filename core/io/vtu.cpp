@@ -17,7 +17,6 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <mutex>

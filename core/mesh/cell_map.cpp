@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/cell_map.hpp"
 
-#include <cmath>
-
 namespace parison::core {
 
 namespace {

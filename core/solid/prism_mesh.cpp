@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solid/prism_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace parison::core {

@@ -2,7 +2,6 @@
 #include "forming/diagnostics/flow_work.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/mesh/element.hpp"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/io/files.hpp"
 #include "core/math/numbers.hpp"

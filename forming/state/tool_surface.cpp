@@ -2,8 +2,6 @@
 #include "forming/state/tool_surface.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"

@@ -3,8 +3,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <unordered_map>
 
 #include "core/mesh/element.hpp"

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/mesh/element.hpp"
 #include "forming/flow/contact/grip.hpp"

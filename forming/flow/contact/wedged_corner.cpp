@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/contact/wedged_corner.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

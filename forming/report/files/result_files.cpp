@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <set>
 #include <type_traits>
-#include <utility>
 
 #include "core/case/case_error.hpp"
 #include "core/io/manifest.hpp"

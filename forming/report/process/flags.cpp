@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "thermal/properties.hpp"
 
 namespace parison::forming {

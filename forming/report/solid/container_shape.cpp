@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "core/case/case_error.hpp"
 #include "core/case/number.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <limits>
 
 #include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 
 #include "forming/scene/container/crossings.hpp"
 #include "forming/scene/container/free_space.hpp"

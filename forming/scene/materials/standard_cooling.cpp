@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/case/given_file.hpp"
 #include "forming/scene/materials/material_library.hpp"
 

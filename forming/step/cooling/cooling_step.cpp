@@ -2,7 +2,6 @@
 #include "forming/step/cooling/cooling_step.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/process/clock.hpp"

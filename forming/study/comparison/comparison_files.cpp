@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/io/svg.hpp"
 #include "forming/study/comparison/comparison.hpp"

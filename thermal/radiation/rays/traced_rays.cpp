@@ -2,7 +2,6 @@
 #include "thermal/radiation/rays/traced_rays.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "thermal/system.hpp"
 
