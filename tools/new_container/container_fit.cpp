@@ -75,7 +75,7 @@ bool is_pressed(const forming::Scene& scene) {
 
 ContainerFit fit_container(const std::string& file, const std::vector<std::string>& given, double capacity,
                            double mass) {
-  const std::vector<std::string> base = without_gob(forming::read_scene(file, "draft"), given);
+  std::vector<std::string> base = without_gob(forming::read_scene(file, "draft"), given);
   const auto scene_with = [&](const char* name, double length) {
     std::vector<std::string> overrides = base;
     overrides.push_back(length_text(name, length));
@@ -91,17 +91,18 @@ ContainerFit fit_container(const std::string& file, const std::vector<std::strin
     const forming::ContainerPlan with = *scene_with("body_radius", radius).container;
     return with.outside.value_or(with.capacity.value_or(0) + (with.press ? with.press->cavity : 0));
   };
-  const auto cavity = [&](double length) {
-    const auto parison = scene_with(second, length).container->parison;
-    return parison ? parison->cavity : 0;
-  };
   const double body = where(std::sqrt((capacity + glass) / (0.75 * M_PI * height)), capacity + glass, outside);
-  const double rim = dimension_of(scene_with("body_radius", body), "finish_radius");
+  base.push_back(length_text("body_radius", body));
+  const double rim = dimension_of(forming::read_scene(file, "draft", base), "finish_radius");
   if (pressed && rim < body)
     throw core::CaseError(fmt::format(
         "no plunger comes out of a rim with a radius of {:.4g} mm over a foot of {:.4g} mm", rim / mm, body / mm));
   const double share = has(first, "parison_share") ? dimension_of(first, "parison_share") : 1;
   const double begin = pressed ? 0.12 * body : 0.9 * dimension_of(first, "plunger_radius") + 0.25 * body;
+  const auto cavity = [&](double length) {
+    const auto parison = scene_with(second, length).container->parison;
+    return parison ? parison->cavity : 0;
+  };
   const double length = where(begin, glass / share, cavity);
   if (has(first, "blank_neck_radius") && length < dimension_of(first, "blank_neck_radius"))
     throw core::CaseError(fmt::format("a blank with a radius of {:.4g} mm is narrower than its neck of {:.4g} mm",
