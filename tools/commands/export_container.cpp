@@ -65,6 +65,9 @@ int export_space(const ExportRequest& request) {
   const forming::Scene scene =
       forming::read_scene(forming::case_copy_folder(request.results), origin.accuracy, origin.overrides);
   const auto solid = forming::read_checkpoint(checkpoint, scene).outcome.solid;
+  if (!solid)
+    throw core::CaseError(
+        fmt::format("{}: a run that has not come into space was found, allowed are later ones", request.results));
   const double glass = forming::whole_volume(*solid);
   tell_glass(request.results, glass);
   if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, *solid), glass);
