@@ -215,7 +215,7 @@ class SpaceFilm {
 class SpaceFrame {
   constructor(film, json) {
     Object.assign(this, { film, json, t: json.t, mesh: film.meshes[json.mesh] });
-    const { nodes, own } = this.mesh,
+    const { own } = this.mesh,
       packed = new Uint16Array(film.buffer, json.points, 3 * own),
       step = film.box[3];
     const places = [0, 1, 2].map((k) =>
@@ -226,7 +226,8 @@ class SpaceFrame {
     [this.x, this.y, this.z] = places;
     if (film.up < 0) for (const list of [this.y, this.z]) list.forEach((value, i) => (list[i] = -value));
     [this.bottom, this.top, this.radius] = [Infinity, -Infinity, 0];
-    for (let i = 0; i < nodes; ++i) {
+    // Of the nodes alone, as in wall.csv: heights are above the lowest of them.
+    for (let i = 0; i < own; ++i) {
       this.bottom = Math.min(this.bottom, this.z[i]);
       this.top = Math.max(this.top, this.z[i]);
       this.radius = Math.max(this.radius, Math.hypot(this.x[i], this.y[i]));
