@@ -17,7 +17,7 @@ struct WallMesh {
 
 /// How a wall is divided.
 struct WallDivision {
-  double size;    ///< edge of cells along the wall, m
+  double size;    ///< edge of cells along the longer side of the wall, m
   Index layers;   ///< of cells through the wall
   double sector;  ///< rad: a quarter, half or whole turn, or a smaller whole part of it
 };
