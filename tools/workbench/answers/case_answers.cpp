@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <regex>
+#include <set>
+
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
 #include "core/case/text/case_edit.hpp"
@@ -27,6 +30,25 @@ void add_values(const core::CaseNode& node, const std::string& key, core::JsonWr
                : node.flag                 ? "true"
                                            : "false");
   json.add("", static_cast<long>(node.line));
+  json.close();
+}
+
+/// The words of all texts of a case.
+void add_words(const core::CaseNode& node, std::set<std::string>& words) {
+  static const std::regex word("[A-Za-z_][A-Za-z0-9_]*");
+  for (std::sregex_iterator one(node.text.begin(), node.text.end(), word), end; one != end; ++one)
+    words.insert(one->str());
+  for (const core::CaseNode& item : node.items) add_words(item, words);
+}
+
+/// The keys of the named dimensions that nothing in the case names.
+void add_unused(const core::CaseNode& root, core::JsonWriter& json) {
+  std::set<std::string> words;
+  add_words(root, words);
+  json.open_list("unused");
+  for (const core::CaseNode& table : root.items)
+    for (const core::CaseNode& one : table.items)
+      if (table.name == "dimension" && !words.count(one.name)) json.add("", "dimension." + one.name);
   json.close();
 }
 
@@ -69,6 +91,7 @@ void add_text(const OpenCase& one, const std::string& name, core::JsonWriter& js
     json.open_list("values");
     add_values(root, "", json);
     json.close();
+    add_unused(root, json);
   } catch (const core::CaseError& error) {
     add_error(error, one.text(), json);
   }

@@ -4,6 +4,7 @@
 #include "forming/run/stage.hpp"
 #include "forming/scene/describe/scene_json.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
+#include "tools/workbench/contour/given_contour.hpp"
 #include "tools/workbench/handles/handles.hpp"
 
 namespace parison::tools {
@@ -16,6 +17,12 @@ std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked)
     const auto handles = corner_handles(one.file(), forming::read_scene(one.file(), "draft"));
     return moved_corner(handles, corner->number_of("number"),
                         mm * core::Point(corner->number_of("r_mm"), corner->number_of("z_mm")));
+  }
+  if (const Asked* contour = asked.find("contour")) {
+    const auto text = [&](const char* key) { return contour->text_of(key); };
+    return given_contour(one.file(), text("key"),
+                         {text("file"), text("unit"), text("layer"), text("from"), text("via"), text("to"),
+                          text("origin"), text("axis")});
   }
   return assignments;
 }

@@ -60,8 +60,8 @@ void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& j
 void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 
-/// The values that are to be set, as override_value takes them: given as such, or by a corner and its new place. The
-/// lock is held.
+/// The values that are to be set, as override_value takes them: given as such, by a corner and its new place, or by the
+/// contour of a drawing. The lock is held.
 std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked);
 
 /// Adds an error with the place in the text that it is about.

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/workbench/contour/given_contour.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <regex>
+
+#include "core/case/arithmetic/named_dimensions.hpp"
+#include "core/case/case_file.hpp"
+#include "core/case/text/case_text.hpp"
+#include "core/case/tolerance.hpp"
+#include "forming/scene/read/drawing/read_section.hpp"
+#include "forming/scene/read/scene_reading.hpp"
+#include "tools/workbench/contour/walls.hpp"
+
+namespace parison::tools {
+namespace {
+
+using core::CaseNode;
+using core::Point;
+
+constexpr double mm = 1e-3, same = 1e-7;  // m
+
+const CaseNode* member(const CaseNode& node, const std::string& name) {
+  for (const CaseNode& item : node.items)
+    if (item.name == name) return &item;
+  return nullptr;
+}
+
+/// A boundary of a tool as it is in the file.
+struct Target {
+  std::string directory, tool_key;  ///< "tool.2"
+  CaseNode tool;
+  std::size_t boundary;
+  core::Profile profile;
+
+  const std::vector<CaseNode>& boundaries() const { return member(tool, "boundary")->items; }
+  std::string condition(std::size_t i) const {
+    const CaseNode* node = member(boundaries()[i], "condition");
+    return node ? node->text : "";
+  }
+  std::vector<core::Segment> segments(bool own) const {
+    std::vector<core::Segment> found;
+    for (const core::Segment& segment : profile.segments)
+      if ((segment.boundary_id == static_cast<core::Index>(boundary)) == own) found.push_back(segment);
+    return found;
+  }
+};
+
+Target target_of(const std::string& case_file, const std::string& key) {
+  static const std::regex form("(tool\\.([0-9]{1,4}))\\.boundary\\.([0-9]{1,4})\\.path");
+  core::CaseFile file = core::read_case_file(case_file);
+  core::take_tolerances(file);
+  core::read_dimensions(file);
+  std::smatch match;
+  const CaseNode* tools = member(file.root, "tool");
+  const std::size_t tool = std::regex_match(key, match, form) ? std::stoul(match[2]) : 0;
+  const CaseNode* list = tools && tool < tools->items.size() ? member(tools->items[tool], "boundary") : nullptr;
+  if (match.empty() || !list || std::stoul(match[3]) >= list->items.size())
+    throw core::CaseError(fmt::format("\"{}\" was found, allowed is the path of a boundary of a tool", key));
+  std::vector<std::string> notes;
+  return {file.directory, match[1], tools->items[tool], std::stoul(match[3]),
+          forming::read_outline(*list, file.directory, notes)};
+}
+
+std::string point_text(const Point& x) {
+  const auto rounded = [](double value) { return std::round(1e4 * value / mm) / 1e4 + 0.0; };
+  return fmt::format("({}, {})", rounded(x[0]), rounded(x[1]));
+}
+
+std::string path_text(const DrawnContour& contour) {
+  std::string text;
+  for (const auto& [key, value] : {std::pair{"file", contour.file},
+                                   {"unit", contour.unit},
+                                   {"layer", contour.layer},
+                                   {"from", contour.from},
+                                   {"via", contour.via},
+                                   {"to", contour.to},
+                                   {"origin", contour.origin},
+                                   {"axis", contour.axis}})
+    if (!value.empty()) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, core::quoted(value));
+  return "{ " + text + " }";
+}
+
+CaseNode node_of(const std::string& text) {
+  CaseNode place;
+  place.key = "drawing";
+  return core::parse_value(text, place);
+}
+
+std::vector<core::Segment> read(const Target& target, const DrawnContour& contour) {
+  std::vector<std::string> notes;
+  auto segments = forming::read_section(node_of(path_text(contour)), target.directory, notes);
+  if (segments.empty()) throw core::CaseError("the contour has no length, allowed are two different places");
+  return segments;
+}
+
+Point point_of(const std::string& text) {
+  return forming::read_point(node_of(core::quoted(text)));
+}
+
+/// The contour higher by so much along z of the case.
+void lift(DrawnContour& contour, double by) {
+  for (std::string* place : {&contour.from, &contour.via, &contour.to})
+    if (!place->empty()) *place = point_text(point_of(*place) + by * core::axis_direction()) + " mm";
+  const bool across = contour.axis == "x" || contour.axis == "-x";
+  const double sign = contour.axis.compare(0, 1, "-") == 0 ? -1 : 1;
+  const Point origin = contour.origin.empty() ? Point::Zero() : point_of(contour.origin);
+  contour.origin = point_text(origin - sign * by * (across ? Point(1, 0) : Point(0, 1))) + " mm";
+}
+
+const Point* end_on_axis(const std::vector<core::Segment>& segments) {
+  for (const Point* x : {&segments.front().start, &segments.back().end})
+    if (std::abs((*x)[0]) < same) return x;
+  return nullptr;
+}
+
+/// Runs the contour as that of the boundary did, and brings that of a tool with a position to where that one was.
+void place_as(const Target& target, DrawnContour& contour) {
+  const auto before = target.segments(true), after = read(target, contour);
+  const auto along = [](const auto& segments) -> Point { return segments.back().end - segments.front().start; };
+  if (!contour.to.empty() && along(before).dot(along(after)) < 0) std::swap(contour.from, contour.to);
+  const Point *was = end_on_axis(before), *is = end_on_axis(after);
+  if (member(target.tool, "position") && was && is && std::abs((*was)[1] - (*is)[1]) > same)
+    lift(contour, (*was)[1] - (*is)[1]);
+}
+
+bool differ(const Contour& one, const Contour& other) {
+  return (one.begin() - other.begin()).norm() > same || (one.end() - other.end()).norm() > same ||
+         std::abs(one.width() - other.width()) > same;
+}
+
+/// The paths behind the contour, where those of the file do not lead around it.
+std::vector<std::string> walls(const Target& target, const DrawnContour& drawn) {
+  const auto before = target.segments(true);
+  const double sense = core::signed_area(target.profile) * (before.back().end[1] - before.front().start[1]);
+  const Contour was{before, sense > 0}, is{read(target, drawn), sense > 0};
+  const std::size_t count = target.boundaries().size() - 1;
+  if (target.boundary != 0 || sense == 0 || !differ(was, is)) return {};
+  const auto behind = walls_behind(is, thickness_behind(was, target.segments(false)), count);
+  if (!behind) return {};
+  const double end = is.end()[0];
+  std::vector<std::string> assignments;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const bool on_axis = std::abs(end) < same ? i == 1 : std::abs(is.begin()[0]) < same && i == count;
+    if ((target.condition(i) == "symmetry") != on_axis) return {};
+    std::string path;
+    for (const Point& x : (*behind)[i - 1]) path += point_text(x) + " ";
+    assignments.push_back(fmt::format("{}.boundary.{}.path={}", target.tool_key, i, core::quoted(path + "mm")));
+  }
+  return assignments;
+}
+
+}  // namespace
+
+std::vector<std::string> given_contour(const std::string& case_file, const std::string& key,
+                                       const DrawnContour& contour) {
+  const Target target = target_of(case_file, key);
+  DrawnContour drawn = contour;
+  std::vector<std::string> assignments;
+  if (target.condition(target.boundary) == "contact") {
+    place_as(target, drawn);
+    assignments = walls(target, drawn);
+  }
+  assignments.insert(assignments.begin(), fmt::format("{}={}", key, path_text(drawn)));
+  return assignments;
+}
+
+}  // namespace parison::tools
