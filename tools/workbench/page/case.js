@@ -22,6 +22,7 @@ function tabs(parts) {
       button.tabIndex = one === name ? 0 : -1;
       panel.hidden = one !== name;
     }
+    list.closest("main")?.classList.toggle("wide", name === "drawing" || name === "result");
   };
   const step = (event, i) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];

@@ -6,33 +6,43 @@ import { drawn, element, shown } from "./dom.js";
 import { change, model, on } from "./model.js";
 import { word } from "./words.js";
 
-const clicks = ["axisClick", "planeClick", "fromClick", "viaClick", "toClick"];
+const clicks = ["axisClick", "planeClick", "fromClick", "toClick", "viaClick"]; // in the order in which they follow each other
 const ends = { fromClick: "from", viaClick: "via", toClick: "to" };
+const colours = 6;
 
-/** The boundaries of the tools as [key, label]. */
+/** The boundaries of the tools as [key, tool, label], those that the glass may touch and the others. */
 function boundaries() {
-  const names = Object.fromEntries((model.values || []).map(([key, value]) => [key, value]));
-  const found = Object.keys(names).map((key) => key.match(/^tool\.(\d+)\.boundary\.(\d+)\.name$/)).filter((one) => one);
-  return found.map(([key, tool, boundary]) => [`tool.${tool}.boundary.${boundary}.path`, `${names[`tool.${tool}.name`]}: ${names[key]}`]);
+  const values = Object.fromEntries((model.values || []).map(([key, value]) => [key, value])), touched = [], others = [];
+  for (const found of Object.keys(values).map((key) => key.match(/^(tool\.\d+)\.boundary\.\d+\.name$/)).filter((one) => one)) {
+    const key = found[0].replace(/name$/, ""), tool = values[`${found[1]}.name`];
+    (values[`${key}condition`] === "contact" ? touched : others).push([`${key}path`, tool, `${tool}: ${values[found[0]]}`]);
+  }
+  return { touched, others };
 }
 
 export function dxfPart() {
-  const state = { name: "", unit: "", axis: "y", origin: [0, 0], click: "axisClick", hidden: new Set(), from: null, via: null, to: null, answer: null };
-  const files = element("select", { onchange: () => load(files.value) });
+  const state = { name: "", unit: "", axis: "y", origin: [0, 0], click: "axisClick", hidden: new Set(), from: null, via: null, to: null, answer: null, zoom: 1, shift: [0, 0] };
+  const files = element("select", { "aria-label": word("chooseDrawing"), onchange: () => load(files.value) });
   const input = element("input", { type: "file", accept: ".dxf", id: "dxf-file", onchange: () => input.files[0] && take(input.files[0]) });
-  const choice = (id, values, action) => element("select", { id, onchange: (event) => action(event.target.value) }, ...values.map((one) => element("option", { value: one }, one)));
-  const unit = choice("dxf-unit", ["", "mm", "cm", "in"], (value) => ((state.unit = value), load()));
-  const axis = choice("dxf-axis", ["y", "-y", "x", "-x"], (value) => ((state.axis = value), load()));
-  const target = element("select", { id: "dxf-target" });
+  const choice = (id, values, action) => element("select", { id, onchange: (event) => action(event.target.value) }, ...values.map((one) => element("option", { value: one }, word(`${id}-${one}`))));
+  const unit = element("select", { id: "dxf-unit", onchange: () => ((state.unit = unit.value), load()) }, ...["", "mm", "cm", "in"].map((one) => element("option", { value: one }, one || word("unitOfFile"))));
+  const axis = choice("dxf-axis", ["y", "-y", "x", "-x"], (value) => ((state.axis = value), forgetPlaces(), load()));
+  const target = element("select", { id: "dxf-target", "aria-label": word("tool"), onchange: () => show() });
+  const level = element("input", { type: "number", step: "any", value: 0, id: "dxf-level" });
   const layers = element("div", { class: "bar", id: "dxf-layers" });
   const picks = element("div", { class: "bar", role: "radiogroup" });
-  const told = element("p", { class: "bad" }), notes = element("p", { class: "soft" }), where = element("p", { class: "number", id: "dxf-where" });
-  const svg = drawn("svg", { class: "dxf", role: "img", "aria-label": word("drawing"), onclick: (event) => pick(event) });
+  const next = element("p", { class: "note", id: "dxf-next", role: "status" });
+  const told = element("p", { class: "bad" }), notes = element("p", { class: "soft" }), where = element("span", { class: "number", id: "dxf-where" });
+  const svg = drawn("svg", { class: "dxf", role: "img", "aria-label": word("drawing"), onclick: (event) => pick(event), onpointerdown: (event) => grip(event) });
+  svg.addEventListener("wheel", (event) => wheel(event), { passive: false });
+  const whole = element("button", { onclick: () => (Object.assign(state, { zoom: 1, shift: [0, 0] }), draw()) }, word("whole"));
   const give = element("button", { class: "main", id: "dxf-give", onclick: () => assign() }, word("give"));
 
   const originText = () => `(${shown(state.origin[0], 4)}, ${shown(state.origin[1], 4)}) mm`;
+  const forgetPlaces = () => Object.assign(state, { from: null, via: null, to: null });
   async function load(name = state.name, text = "") {
     if (!name) return;
+    if (name !== state.name) Object.assign(state, { hidden: new Set(), zoom: 1, shift: [0, 0], click: "axisClick" }), forgetPlaces();
     state.name = name;
     const asked = { case: model.name, name, text, unit: state.unit, axis: state.axis, origin: originText() };
     const answer = await tryAsk("drawing", asked);
@@ -51,16 +61,26 @@ export function dxfPart() {
   }
   const visible = () => (state.answer ? state.answer.layers.filter((one) => !state.hidden.has(one.name)) : []);
 
-  /** The end of a curve next to a click, in mm of the case. */
+  /** The places of a curve that a click takes: its ends, where it crosses the axis; for the axis its middle too. */
+  function placesOf(curve) {
+    const places = [curve.slice(0, 2), curve.slice(-2)], n = curve.length;
+    for (let i = 0; i + 3 < n; i += 2) {
+      const [r0, z0, r1, z1] = curve.slice(i, i + 4);
+      if (r0 * r1 < 0) places.push([0, z0 + ((z1 - z0) * r0) / (r0 - r1)]);
+    }
+    if (state.click === "axisClick") places.push(n === 4 ? [(curve[0] + curve[2]) / 2, (curve[1] + curve[3]) / 2] : curve.slice(2 * Math.floor(n / 4), 2 * Math.floor(n / 4) + 2));
+    return places;
+  }
+  /** The place next to a click, in mm of the case, and the layers that have it. */
   function nearest(event) {
     const box = svg.getBoundingClientRect(), x = (event.clientX - box.left) / state.scale + state.left, z = state.top - (event.clientY - box.top) / state.scale;
     let best = null, least = Infinity;
     for (const layer of visible())
-      for (const curve of layer.curves_mm)
-        for (const end of [curve.slice(0, 2), curve.slice(-2)]) {
-          const distance = Math.hypot(end[0] - x, end[1] - z);
-          if (distance < least) [best, least] = [{ at: end, layer: layer.name }, distance];
-        }
+      for (const at of layer.curves_mm.flatMap(placesOf)) {
+        const distance = Math.hypot(at[0] - x, at[1] - z);
+        if (best && Math.hypot(at[0] - best.at[0], at[1] - best.at[1]) < 1e-6) best.layers.push(layer.name);
+        else if (distance < least) [best, least] = [{ at, layers: [layer.name] }, distance];
+      }
     return best;
   }
   /** From the frame of the case to that of the drawing. */
@@ -69,59 +89,101 @@ export function dxfPart() {
     return [x + state.origin[0], y + state.origin[1]];
   };
   function pick(event) {
-    const end = nearest(event);
+    const end = state.dragged ? null : nearest(event);
     if (!end) return;
     const place = inDrawing(end.at), along = state.axis.endsWith("y") ? 1 : 0, click = state.click;
     if (click === "axisClick") state.origin[1 - along] = place[1 - along];
-    else if (click === "planeClick") state.origin[along] = place[along];
-    else Object.assign(state, { [ends[click]]: end.at, layer: end.layer });
-    state.click = clicks[(clicks.indexOf(click) + 1) % clicks.length];
-    if (click === "axisClick" || click === "planeClick") Object.assign(state, { from: null, via: null, to: null }), load();
+    else if (click === "planeClick") state.origin[along] = place[along] - (state.axis.startsWith("-") ? -1 : 1) * (level.valueAsNumber || 0);
+    else state[ends[click]] = end.at;
+    if (click === "fromClick") Object.assign(state, { via: null, to: null, layers: end.layers });
+    if (click === "toClick") {
+      state.layer = state.layers.find((one) => end.layers.includes(one)) || ""; // of all layers where it leads from one to another
+      guess();
+    }
+    state.given = "";
+    state.click = clicks[Math.min(clicks.indexOf(click) + 1, clicks.length - 1)];
+    if (click === "axisClick" || click === "planeClick") forgetPlaces(), load();
     else show();
   }
-  const point = ([r, z]) => `"(${shown(Math.abs(r), 4)}, ${shown(z, 4)}) mm"`;
+  /** The tool that is called as the layer. */
+  function guess() {
+    const layer = state.layer.toLowerCase(), found = layer && boundaries().touched.find(([, tool]) => layer.includes(tool.toLowerCase()) || tool.toLowerCase().includes(layer));
+    if (found) target.value = found[0];
+  }
+  const point = (place) => (place ? `(${shown(Math.abs(place[0]), 4)}, ${shown(place[1], 4)}) mm` : "");
   async function assign() {
-    const parts = [`file = "${state.name}"`, state.unit ? `unit = "${state.unit}"` : "", `layer = ${JSON.stringify(state.layer)}`, `from = ${point(state.from)}`, state.via ? `via = ${point(state.via)}` : "", `to = ${point(state.to)}`,
-      state.origin.some((x) => x) ? `origin = "${originText()}"` : "", state.axis === "y" ? "" : `axis = "${state.axis}"`].filter((one) => one);
-    await change("set", { set: [`${target.value}={ ${parts.join(", ")} }`] });
+    const label = target.selectedOptions[0].text, axisOf = state.axis === "y" ? "" : state.axis;
+    const contour = { key: target.value, file: state.name, unit: state.unit, layer: state.layer, from: point(state.from), via: point(state.via), to: point(state.to),
+      origin: state.origin.some((x) => x) ? originText() : "", axis: axisOf };
+    if (!(await change("set", { contour }))) return;
+    forgetPlaces();
+    Object.assign(state, { click: "fromClick", given: label });
+    show();
   }
 
+  function wheel(event) {
+    event.preventDefault();
+    const box = svg.getBoundingClientRect(), x = event.clientX - box.left - box.width / 2, y = event.clientY - box.top - box.height / 2;
+    const zoom = Math.min(100, Math.max(0.5, state.zoom * Math.exp(-0.0015 * event.deltaY))), by = zoom / state.zoom;
+    state.shift = [x - by * (x - state.shift[0]), y - by * (y - state.shift[1])];
+    state.zoom = zoom;
+    draw();
+  }
+  function grip(event) {
+    if (event.button !== 0) return;
+    const from = [event.clientX, event.clientY], shift = state.shift;
+    state.dragged = false;
+    const move = (at) => {
+      const by = [at.clientX - from[0], at.clientY - from[1]];
+      if (!state.dragged && Math.hypot(...by) < 5) return; // a click of a hand that is not still
+      state.dragged = true;
+      state.shift = [shift[0] + by[0], shift[1] + by[1]];
+      draw();
+    };
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", () => removeEventListener("pointermove", move), { once: true });
+  }
+
+  const isReady = () => state.from && state.to && target.value && !model.bundled;
+  const nextStep = () => state.given ? word("given", state.given) : word(!state.answer ? "dxfHint" : isReady() ? "nextGive" : `next_${state.click}`);
   function show() {
     const answer = state.answer;
     told.textContent = (answer && answer.problem) || "";
     notes.textContent = answer ? answer.notes.join(" ") : "";
-    picks.replaceChildren(...clicks.map((one) => element("button", { role: "radio", "aria-checked": String(one === state.click), onclick: () => ((state.click = one), show()) }, word(one))));
-    layers.replaceChildren(...(answer ? answer.layers : []).map((layer) => {
-      const box = element("input", { type: "checkbox", checked: !state.hidden.has(layer.name), onchange: () => (state.hidden[box.checked ? "delete" : "add"](layer.name), show()) });
-      return element("label", { class: "tick" }, box, `${layer.name} (${layer.curves_mm.length})`);
+    next.textContent = nextStep();
+    picks.replaceChildren(...clicks.map((one) => element("button", { role: "radio", id: `dxf-${one}`, "aria-checked": String(one === state.click), onclick: () => ((state.click = one), show()) }, word(one))), element("label", { class: "tick" }, word("planeLevel"), level, "mm"), whole);
+    layers.replaceChildren(...(answer ? answer.layers : []).map((layer, i) => {
+      const box = element("input", { type: "checkbox", checked: !state.hidden.has(layer.name), "data-layer": layer.name, onchange: () => (state.hidden[box.checked ? "delete" : "add"](layer.name), show()) });
+      return element("label", { class: `tick layer layer${i % colours}` }, box, `${layer.name} (${layer.curves_mm.length})`);
     }));
     where.textContent = [word("originAt", originText()), ...Object.entries(ends).map(([click, name]) => state[name] && `${word(click)} ${point(state[name])}`)].filter((one) => one).join(", ");
-    give.disabled = !(state.from && state.to && target.value) || model.bundled;
+    give.disabled = !isReady();
     draw();
   }
   function draw() {
-    const curves = visible().flatMap((layer) => layer.curves_mm), all = curves.flat(), width = svg.clientWidth || 300, height = svg.clientHeight || 300;
+    const all = visible().flatMap((layer) => layer.curves_mm).flat(), width = svg.clientWidth || 300, height = svg.clientHeight || 300;
     if (!all.length) return svg.replaceChildren();
-    const r = all.filter((_, i) => i % 2 === 0), z = all.filter((_, i) => i % 2), span = (list) => [Math.min(...list), Math.max(...list)];
+    const r = all.filter((_, i) => i % 2 === 0), z = all.filter((_, i) => i % 2), span = (list) => [list.reduce((a, b) => Math.min(a, b)), list.reduce((a, b) => Math.max(a, b))];
     const [left, right] = span(r), [low, high] = span(z);
-    state.scale = Math.min((width - 30) / (right - left || 1), (height - 30) / (high - low || 1));
-    state.left = left - (width / state.scale - right + left) / 2;
-    state.top = high + 15 / state.scale;
+    state.scale = state.zoom * Math.min((width - 30) / (right - left || 1), (height - 30) / (high - low || 1));
+    state.left = (left + right) / 2 - (width / 2 + state.shift[0]) / state.scale;
+    state.top = (low + high) / 2 + (height / 2 + state.shift[1]) / state.scale;
     const at = (x, y) => [(x - state.left) * state.scale, (state.top - y) * state.scale];
     const path = (curve) => curve.map((_, i) => (i % 2 ? "" : `${i ? "L" : "M"}${at(curve[i], curve[i + 1]).map((x) => x.toFixed(1)).join(" ")}`)).join("");
     const mark = (place, kind) => (place ? [drawn("circle", { class: kind, cx: at(...place)[0], cy: at(...place)[1], r: 5 })] : []);
-    const [ox, oy] = at(0, 0);
-    svg.replaceChildren(...curves.map((curve) => drawn("path", { d: path(curve) })), drawn("path", { class: "axis", d: `M${ox} 0V${height}M0 ${oy}H${width}` }), ...mark(state.from, "from"), ...mark(state.via, "via"), ...mark(state.to, "to"));
+    const [ox, oy] = at(0, 0), class_ = (layer) => `layer${state.answer.layers.indexOf(layer) % colours}`;
+    svg.replaceChildren(...visible().flatMap((layer) => layer.curves_mm.map((curve) => drawn("path", { class: class_(layer), d: path(curve) }))),
+      drawn("path", { class: "axis", d: `M${ox} 0V${height}M0 ${oy}H${width}` }), ...mark(state.from, "from"), ...mark(state.via, "via"), ...mark(state.to, "to"));
   }
 
   const panel = element("div", { class: "dxf-tab", ondragover: (event) => event.preventDefault(), ondrop: (event) => (event.preventDefault(), event.dataTransfer.files[0] && take(event.dataTransfer.files[0])) },
-    element("p", { class: "soft" }, word("dxfHint")), element("div", { class: "bar" }, input, files),
-    element("div", { class: "bar" }, element("label", { class: "tick" }, word("unit"), unit), element("label", { class: "tick" }, word("axisDirection"), axis)),
-    layers, picks, svg, where, element("div", { class: "bar" }, target, give), told, notes);
+    element("div", { class: "bar" }, input, files, element("label", { class: "tick" }, word("unit"), unit), element("label", { class: "tick" }, word("axisDirection"), axis)),
+    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give), told, notes);
   let caseName = "";
   on("case", () => {
-    const chosen = target.value;
-    target.replaceChildren(...boundaries().map(([key, label]) => element("option", { value: key, selected: key === chosen }, label)));
+    const chosen = target.value, { touched, others } = boundaries();
+    const group = (label, list) => element("optgroup", { label: word(label) }, ...list.map(([key, , name]) => element("option", { value: key, selected: key === chosen }, name)));
+    target.replaceChildren(group("touchesGlass", touched), group("others", others));
     if (caseName !== model.name) list();
     caseName = model.name;
     show();

@@ -6,7 +6,7 @@ import { change, model, on } from "./model.js";
 import { word } from "./words.js";
 
 const groupNames = { dimension: "dimensions", glass: "glass", stage: "stage", tool: "tool", interface: "interface", air: "air", inner_air: "air", probe: "probe" };
-const order = ["dimensions", "glass", "stage", "tool", "interface", "air", "probe", "others"];
+const order = ["dimensions", "glass", "stage", "tool", "interface", "air", "probe", "others", "unused"];
 const isEntry = /^(stage|tool|interface|probe)\.\d+/;
 const hidden = /(^case|^geometry|\.path(\.\d+)*|\.tools\.\d+|^(stage|tool|probe)\.\d+\.name|\.boundary\.\d+\.(name|condition))$/;
 
@@ -22,11 +22,11 @@ function wrongKey() {
 }
 
 /** The groups of the values: of each a title, and its fields as [key, label, value, line]. */
-function groups(values) {
+export function groups(values) {
   const found = new Map(), names = Object.fromEntries(values.map(([key, value]) => [key, value]));
   for (const [key, value, line] of [...values].sort((a, b) => a[2] - b[2])) {
     if (hidden.test(key)) continue;
-    const entry = key.match(isEntry), group = groupNames[key.split(".")[0]] || "others", id = entry ? entry[0] : group;
+    const entry = key.match(isEntry), group = model.unused.includes(key) ? "unused" : groupNames[key.split(".")[0]] || "others", id = entry ? entry[0] : group;
     const about = entry ? names[`${entry[0]}.name`] || values.filter(([one]) => one.startsWith(`${entry[0]}.tools.`)).map((one) => one[1]).join(", ") : "";
     if (!found.has(id)) found.set(id, { group, title: about ? `${word(group)} ${about}` : word(group), fields: [] });
     let label = entry ? key.slice(entry[0].length + 1) : group === "others" || group === "air" ? key : key.slice(key.indexOf(".") + 1);

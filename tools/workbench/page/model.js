@@ -27,6 +27,7 @@ export function takeCase(answer) {
     version: answer.version,
     text: answer.text,
     values: answer.values || null,
+    unused: answer.unused || [],
     broken: answer.problem || null,
     bundled: answer.bundled,
     undo: answer.undo,

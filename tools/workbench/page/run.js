@@ -3,6 +3,7 @@
 
 import { ask, tryAsk } from "./api.js";
 import { element, shown } from "./dom.js";
+import { groups } from "./fields.js";
 import { model, news, on, tell } from "./model.js";
 import { word } from "./words.js";
 
@@ -20,9 +21,29 @@ async function ownResults() {
 
 function progress(run) {
   const longest = model.check && model.check.stages ? model.check.stages.reduce((sum, one) => sum + one.duration_s, 0) : NaN;
-  const at = run.time_s || 0;
+  const at = run.time_s || 0, last = (run.log || "").trim().split("\n").pop(); // a study prints what it has done
   return [element("progress", { max: longest || 1, value: run.state === "completed" ? longest || 1 : at, "aria-label": word("run") }),
-    element("p", { class: "number" }, run.time_s ? word("time", shown(at, 3), shown(longest, 2), run.stage || "–") : "")];
+    element("p", { class: "number" }, run.time_s ? word("time", shown(at, 3), shown(longest, 2), run.stage || "–") : run.state === "running" ? last : "")];
+}
+
+/** Choices that write a change into the text: a value of the case, and what it is to be. */
+function changeChooser(changes) {
+  const to = element("input", { id: "what-to", size: 10, "aria-label": word("newValue") });
+  const what = element("select", { id: "what", "aria-label": word("valueToChange"), onchange: () => (to.value = what.selectedOptions[0]?.dataset.value ?? "") });
+  const add = () => {
+    const named = Object.fromEntries(model.values.map(([key, value]) => [key, value]));
+    const key = what.value.replace(/^(stage|tool|probe)\.\d+/, (entry) => `${entry.split(".")[0]}.${named[`${entry}.name`]}`);
+    changes.value = [changes.value.trim(), `${key}=${to.value}`].filter((line) => line).join("\n");
+  };
+  on("case", () => {
+    const chosen = what.value, written = to.value;
+    what.replaceChildren(...groups(model.values || []).map(([, one]) => element("optgroup", { label: one.title },
+      ...one.fields.map(([key, label, value]) => element("option", { value: key, "data-value": value }, `${one.title}: ${label.replace(/_/g, " ")}`)))));
+    what.value = chosen;
+    if (what.value !== chosen || !chosen) what.selectedIndex = 0;
+    to.value = what.value === chosen ? written : (what.selectedOptions[0]?.dataset.value ?? "");
+  });
+  return element("div", { class: "bar" }, what, to, element("button", { id: "what-add", onclick: add }, word("addChange")));
 }
 
 export function runPart(openResult) {
@@ -84,7 +105,7 @@ export function runPart(openResult) {
   });
   show();
   return element("div", { class: "run" }, element("div", { class: "bar" }, element("label", {}, element("span", {}, word("accuracy")), select), element("button", { class: "main", id: "run-start", onclick: begin }, word("startRun"))),
-    state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
+    state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changeChooser(changes), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
     element("h3", {}, word("yourResults")), list);
 }
 
