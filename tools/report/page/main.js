@@ -99,7 +99,9 @@ async function take(page) {
     ? shown.players.filter((player) => !player.atEnd).map((player) => [player.state, player.time])
     : [];
   for (const one of [state.film, state.space]) if (!stays.some(([of]) => of === one)) one.index = undefined;
+  const isFirst = !shown;
   show(runs, page.program);
+  if (isFirst) document.getElementById(location.hash.slice(1))?.scrollIntoView(); // the part was not there when the page came
   if (page.mixed_cases) say("warn", page.mixed_cases);
   for (const [of, time] of stays)
     shown.players.filter((one) => one.state === of).forEach((one) => one.showTime(time, true));

@@ -116,7 +116,7 @@ export function resultPart() {
   on("run", () => {
     if (!model.run || !hasResult(model.run) || shownName === model.results) return;
     shownName = model.results;
-    const address = `result/${encodeURIComponent(model.results)}/`;
+    const address = `result/${encodeURIComponent(model.results)}/${model.run.study ? "#differences" : ""}`;
     panel.replaceChildren(element("p", {}, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results)), element("iframe", { src: address, title: word("result") }));
   });
   return panel;

@@ -42,7 +42,8 @@ function newForm(taken) {
   const [nameLabel, name] = field(word("name"), {
     name: "name", required: true, pattern: "[A-Za-z0-9_\\-]{1,100}", value: free("my_bottle", taken),
   });
-  const fill = () => fields.forEach(([, input]) => (input.value = ordinary[process.value][input.name]));
+  const fill = () => fields.forEach(([, input]) => !input.dataset.own && (input.value = ordinary[process.value][input.name]));
+  fields.forEach(([, input]) => input.addEventListener("input", () => (input.dataset.own = "true"))); // what was written stays
   process.addEventListener("change", fill);
   fill();
   const button = element("button", { class: "main" }, word("create"));
