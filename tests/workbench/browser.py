@@ -13,6 +13,7 @@ try:
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys  # noqa: F401
+    from selenium.webdriver.support.ui import Select
 except ImportError:
     webdriver = None
 
@@ -62,6 +63,21 @@ class Page:
     def drag(self, selector, right, down):
         ActionChains(self.driver).move_to_element(self.find(selector)).click_and_hold().move_by_offset(right // 2, down // 2).move_by_offset(
             right - right // 2, down - down // 2).release().perform()
+
+    def choose(self, selector, value):
+        """The option of a list with a value, as a user chooses it."""
+        Select(self.find(selector)).select_by_value(value)
+
+    def click_in(self, selector, shapes, across, down):
+        """A click in a picture, next to a place that is given by shares of what its shapes cover."""
+        numbers = "one.getAttribute('d').match(/-?[\\d.]+/g).map(Number)"
+        box = self.script(f"""const all = [...document.querySelectorAll(arguments[0])].flatMap((one) => {numbers});
+          const x = all.filter((_, i) => i % 2 === 0), y = all.filter((_, i) => i % 2);
+          return [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)];""", shapes)
+        place = self.script("const box = arguments[0].getBoundingClientRect(); return [box.left, box.top];", self.find(selector))
+        chain = ActionChains(self.driver)
+        chain.w3c_actions.pointer_action.move_to_location(int(place[0] + box[0] + across * (box[1] - box[0]) + 1.5), int(place[1] + box[2] + down * (box[3] - box[2]) + 1.5)).click()
+        chain.perform()
 
     def keys(self, *keys):
         ActionChains(self.driver).send_keys(*keys).perform()
