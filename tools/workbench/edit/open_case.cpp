@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 4'000'000;  // of a case file, as the reader has it
-constexpr std::size_t most_kept = 64'000'000;  // bytes of all former texts
 
 const std::string passing = ".parison_workbench_";  // begin of the name of a file until it has its own
 
@@ -46,62 +45,57 @@ void write_users_file(const std::string& file, const std::string& text) {
   core::sync_to_disk(path.parent_path().string());
 }
 
-OpenCase::OpenCase(std::string file) : file_(std::move(file)), text_(text_of(file_)) {
+OpenCase::OpenCase(std::string file)
+    : file_(std::move(file)),
+      kept_((fs::path(file_).parent_path() / (".parison_undo_" + fs::path(file_).filename().string())).string()),
+      history_(kept_.read(text_of(file_))) {
   remove_left(Left::file, fs::path(file_).parent_path().string(), passing);
 }
 
-void OpenCase::keep(const std::string& text) {
-  before_.push_back(text_);
-  std::size_t bytes = 0, first = before_.size();
-  while (first > 0 && bytes + before_[first - 1].size() < most_kept) bytes += before_[--first].size();
-  before_.erase(before_.begin(), before_.begin() + static_cast<std::ptrdiff_t>(first));
-  text_ = text;
+void OpenCase::keep(const std::string& text, bool is_own) {
+  history_.change(text);
+  kept_.add_change(history_, is_own);
   ++version_;
 }
 
 void OpenCase::look() {
   const std::string now = text_of(file_);
-  if (now == text_) return;
-  keep(now);
-  after_.clear();
+  if (now != text()) keep(now, false);
 }
 
 void OpenCase::write(const std::string& text) {
   if (text.size() > most_bytes)
     throw core::CaseError(fmt::format("{}: {} bytes were given, allowed are {}", file_, text.size(), most_bytes));
-  if (text_of(file_) != text_)
+  if (text_of(file_) != history_.now)
     throw core::CaseError(fmt::format("{}: another program has changed the file meanwhile", file_));
   write_users_file(file_, text);
 }
 
 void OpenCase::set(const std::vector<std::string>& assignments) {
-  std::string text = text_;
+  std::string text = history_.now;
   for (const std::string& assignment : assignments) text = core::edited_case_text(text, file_, assignment);
   replace(text);
 }
 
 void OpenCase::replace(const std::string& text) {
-  if (text == text_) return;
+  if (text == history_.now) return;
   write(text);
-  keep(text);
-  after_.clear();
+  keep(text, true);
 }
 
 void OpenCase::undo() {
-  if (before_.empty()) return;
-  const std::string text = before_.back();
-  write(text);
-  before_.pop_back();
-  after_.push_back(std::exchange(text_, text));
+  if (history_.before.empty()) return;
+  write(history_.before.back());
+  history_.undo();
+  kept_.add_undo();
   ++version_;
 }
 
 void OpenCase::redo() {
-  if (after_.empty()) return;
-  const std::string text = after_.back();
-  write(text);
-  after_.pop_back();
-  before_.push_back(std::exchange(text_, text));
+  if (history_.after.empty()) return;
+  write(history_.after.back());
+  history_.redo();
+  kept_.add_redo();
   ++version_;
 }
 

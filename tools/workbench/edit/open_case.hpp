@@ -3,19 +3,22 @@
 #include <string>
 #include <vector>
 
+#include "tools/workbench/edit/text_history.hpp"
+
 namespace parison::tools {
 
-/// A case file as the page has read it, with what it was before; the file itself is the truth.
+/// A case file as the page has read it, with what it was before, also before the program began; the file itself is the
+/// truth.
 class OpenCase {
  public:
   explicit OpenCase(std::string file);
 
   const std::string& file() const { return file_; }
-  const std::string& text() const { return text_; }
+  const std::string& text() const { return history_.now; }
   /// Rises with each change of the text.
   long version() const { return version_; }
-  std::size_t undoable() const { return before_.size(); }
-  std::size_t redoable() const { return after_.size(); }
+  std::size_t undoable() const { return history_.before.size(); }
+  std::size_t redoable() const { return history_.after.size(); }
 
   /// Takes over what another program has written.
   void look();
@@ -27,11 +30,12 @@ class OpenCase {
   void redo();
 
  private:
-  void keep(const std::string& text);
+  void keep(const std::string& text, bool is_own);
   void write(const std::string& text);
 
-  std::string file_, text_;
-  std::vector<std::string> before_, after_;
+  std::string file_;
+  HistoryFile kept_;
+  TextHistory history_;
   long version_ = 1;
 };
 
