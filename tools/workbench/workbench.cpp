@@ -35,7 +35,7 @@ int workbench(const WorkbenchRequest& request) {
   service.token = random_token();
   service.largest_body = 100'000'000;
   service.answer = [&](const PageRequest& asked) { return page_answer(state, asked); };
-  service.takes_long = is_report;
+  service.takes_long = takes_long;
   std::thread warm([&] { first_check(state); });
   serve(service, request.port, [&](const std::string& address) {
     fmt::print("{} at {} on this machine only, until Ctrl-C\n", state.folder.path(), address);

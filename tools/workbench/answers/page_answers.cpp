@@ -11,6 +11,7 @@
 #include "core/process/run_error.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/report/data/result_folder.hpp"
+#include "tools/workbench/answers/export_answer.hpp"
 
 namespace parison::tools {
 namespace {
@@ -22,7 +23,8 @@ constexpr const char* policy =
     "data:; "
     "frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-const std::string page_begin = "page/", picture_begin = "bundled/", result_begin = "result/", api_begin = "api/";
+const std::string page_begin = "page/", picture_begin = "bundled/", result_begin = "result/", export_begin = "export/",
+                  api_begin = "api/";
 
 bool begins(const std::string& text, const std::string& begin) {
   return text.compare(0, begin.size(), begin) == 0;
@@ -110,8 +112,8 @@ PageAnswer api_answer(WorkbenchState& state, const std::string& name, const std:
 
 }  // namespace
 
-bool is_report(const PageRequest& request) {
-  return begins(request.target, result_begin);
+bool takes_long(const PageRequest& request) {
+  return begins(request.target, result_begin) || begins(request.target, export_begin);
 }
 
 PageAnswer page_answer(WorkbenchState& state, const PageRequest& request) {
@@ -124,7 +126,8 @@ PageAnswer page_answer(WorkbenchState& state, const PageRequest& request) {
     const fs::path page = shared_file("tools/workbench/page");
     if (target.empty()) return file_answer(page, "workbench.html");
     if (begins(target, page_begin)) return file_answer(page, rest(page_begin));
-    if (is_report(request)) return report_answer(state, rest(result_begin));
+    if (begins(target, result_begin)) return report_answer(state, rest(result_begin));
+    if (begins(target, export_begin)) return export_answer(state, rest(export_begin));
     for (const BundledCase& one : bundled_cases())
       if (target == picture_begin + one.name + ".png")
         return file_answer(fs::path(one.picture).parent_path(), fs::path(one.picture).filename().string());

@@ -6,10 +6,10 @@
 namespace parison::tools {
 
 /// The answer of the workbench: the page "" and its files "page/...", pictures "bundled/NAME.png", live reports
-/// "result/NAME/..." and, by POST, "api/QUESTION".
+/// "result/NAME/...", files for other programs "export/NAME/FILE" and, by POST, "api/QUESTION".
 PageAnswer page_answer(WorkbenchState& state, const PageRequest& request);
 
-/// Whether a report is asked for, which takes long.
-bool is_report(const PageRequest& request);
+/// Whether a report or an export is asked for, which takes long.
+bool takes_long(const PageRequest& request);
 
 }  // namespace parison::tools

@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/case/number.hpp"
+#include "core/process/run_error.hpp"
 
 namespace parison::tools {
 
@@ -27,6 +29,15 @@ void remove_left(Left what, const std::string& folder, const std::string& begin)
     if (what == Left::file && entry.is_regular_file(ignored)) fs::remove(entry.path(), ignored);
     if (what == Left::folder && entry.is_directory(ignored)) fs::remove_all(entry.path(), ignored);
   }
+}
+
+std::string passing_folder() {
+  const std::string prefix = "parison_workbench_";
+  const fs::path memory("/dev/shm"), place = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
+  remove_left(Left::folder, place.string(), prefix);
+  std::string name = (place / passing_name(prefix, "XXXXXX")).string();
+  if (!mkdtemp(name.data())) throw core::RunError(name + ": no folder can be made for passing files");
+  return name;
 }
 
 }  // namespace parison::tools

@@ -13,4 +13,8 @@ enum class Left { file, folder };
 /// Removes from a folder what has such a name of a process that is no more.
 void remove_left(Left what, const std::string& folder, const std::string& begin);
 
+/// A new folder for what only this process needs, in memory where the system has such a place; what killed ones have
+/// left there is removed.
+std::string passing_folder();
+
 }  // namespace parison::tools

@@ -2,7 +2,7 @@
 // Runs of the case, and the live report of a result.
 
 import { ask, tryAsk } from "./api.js";
-import { element, shown } from "./dom.js";
+import { element, say, shown } from "./dom.js";
 import { groups } from "./fields.js";
 import { model, news, on, tell } from "./model.js";
 import { word } from "./words.js";
@@ -109,6 +109,22 @@ export function runPart(openResult) {
     element("h3", {}, word("yourResults")), list);
 }
 
+/** Buttons that bring the container of a result to other programs. */
+function exportBar(results) {
+  const own = results.split("/").pop();
+  const bring = async (file, name) => {
+    const response = await fetch(`export/${encodeURIComponent(`${results}/${file}`)}`).catch(() => null);
+    if (!response || !response.ok) return say(response ? (await response.json()).error : word("serverAway"));
+    say("");
+    const link = element("a", { href: URL.createObjectURL(await response.blob()), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  };
+  const button = (id, file, name) => element("button", { id: `export-${id}`, title: word(`export_${id}`), onclick: () => bring(file, name) }, word(id));
+  return element("span", { class: "bar" }, button("step", "container.step", `${own}.step`), button("stl", "container.stl", `${own}.stl`),
+    button("shell", "container.inp", `${own}.inp`), button("wallTable", "thickness.csv", `${own}_wall.csv`));
+}
+
 export function resultPart() {
   const empty = element("p", { class: "soft" }, word("noResult"));
   const panel = element("div", { class: "result" }, empty);
@@ -117,7 +133,7 @@ export function resultPart() {
     if (!model.run || !hasResult(model.run) || shownName === model.results) return;
     shownName = model.results;
     const address = `result/${encodeURIComponent(model.results)}/${model.run.study ? "#differences" : ""}`;
-    panel.replaceChildren(element("p", {}, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results)), element("iframe", { src: address, title: word("result") }));
+    panel.replaceChildren(element("p", { class: "bar" }, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results), model.run.study ? null : exportBar(model.results)), element("iframe", { src: address, title: word("result") }));
   });
   return panel;
 }

@@ -5,12 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "core/io/files.hpp"
 #include "core/io/json_read.hpp"
-#include "core/process/run_error.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/workbench/folder/left_files.hpp"
@@ -20,20 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string prefix = "parison_workbench_";
-
-/// A new folder, in memory where the system has such a place.
-std::string private_folder() {
-  const fs::path memory("/dev/shm"), place = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
-  remove_left(Left::folder, place.string(), prefix);
-  std::string name = (place / passing_name(prefix, "XXXXXX")).string();
-  if (!mkdtemp(name.data())) throw core::RunError(name + ": no folder can be made for sketches");
-  return name;
-}
-
 }  // namespace
 
-Sketch::Sketch() : folder_(private_folder()) {}
+Sketch::Sketch() : folder_(passing_folder()) {}
 
 Sketch::~Sketch() {
   end_child();
