@@ -144,9 +144,10 @@ std::string as_toml(const std::string& value) {
 }
 
 bool is_same(const CaseNode& a, const CaseNode& b) {
-  return a.kind == b.kind && a.name == b.name && a.text == b.text && a.number == b.number && a.flag == b.flag &&
+  const bool named = a.kind == CaseNode::Kind::table;
+  return a.kind == b.kind && a.text == b.text && a.number == b.number && a.flag == b.flag &&
          std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(),
-                    [](const auto& x, const auto& y) { return is_same(x, y); });
+                    [&](const auto& x, const auto& y) { return (!named || x.name == y.name) && is_same(x, y); });
 }
 
 void sort_tables(CaseNode& node) {
