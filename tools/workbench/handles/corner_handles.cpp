@@ -32,12 +32,25 @@ std::optional<core::Point> point_of(std::string_view inside, std::string_view un
   return core::Point(*r, *z);
 }
 
-/// Whether a point is a corner of straight sides alone, one of which the glass may touch: an arc would not follow it.
-bool is_free_corner(const forming::Tool& tool, const core::Point& x) {
+/// Whether a path is from a drawing, or a part of it.
+bool is_drawn(const core::CaseNode& path) {
+  return path.kind == core::CaseNode::Kind::table || std::any_of(path.items.begin(), path.items.end(), is_drawn);
+}
+
+/// A tool, and which of its boundaries are from drawings.
+struct DrawnTool {
+  const forming::Tool& tool;
+  std::vector<bool> drawn;
+};
+
+/// Whether a point is a corner of straight sides alone, one of which the glass may touch: an arc or a drawing would not
+/// follow it.
+bool is_free_corner(const DrawnTool& one, const core::Point& x) {
+  const forming::Tool& tool = one.tool;
   bool meets_glass = false;
   for (const core::Segment& segment : tool.profile.segments) {
     if ((segment.start - x).norm() > same && (segment.end - x).norm() > same) continue;
-    if (segment.is_arc) return false;
+    if (segment.is_arc || one.drawn[static_cast<std::size_t>(segment.boundary_id)]) return false;
     meets_glass = meets_glass || tool.boundaries[segment.boundary_id].kind == core::BoundaryKind::contact;
   }
   return meets_glass;
@@ -51,21 +64,22 @@ const core::CaseNode* member(const core::CaseNode* node, const std::string& name
 }
 
 /// Adds the corners that one text of a path names.
-void add_corners(const forming::Tool& tool, const std::string& key, const std::string& text,
+void add_corners(const DrawnTool& one, const std::string& key, const std::string& text,
                  std::vector<CornerHandle>& handles) {
+  const forming::Tool& tool = one.tool;
   const auto points = forming::split_points(text);
   for (std::size_t i = 0; points && i < points->points.size(); ++i) {
     const auto x = point_of(points->points[i], points->unit);
-    if (!x || !is_free_corner(tool, *x)) continue;
-    auto found = std::find_if(handles.begin(), handles.end(), [&](const CornerHandle& one) {
-      return one.tool == tool.name && (one.at - *x).norm() < same;
+    if (!x || !is_free_corner(one, *x)) continue;
+    auto found = std::find_if(handles.begin(), handles.end(), [&](const CornerHandle& other) {
+      return other.tool == tool.name && (other.at - *x).norm() < same;
     });
     if (found == handles.end()) found = handles.insert(handles.end(), {tool.name, *x, tool.position, {}});
     found->places.push_back({key, text, i});
   }
 }
 
-void add_path(const forming::Tool& tool, const std::string& key, const core::CaseNode& path,
+void add_path(const DrawnTool& tool, const std::string& key, const core::CaseNode& path,
               std::vector<CornerHandle>& handles) {
   if (path.kind == core::CaseNode::Kind::text) add_corners(tool, key, path.text, handles);
   for (std::size_t i = 0; i < path.items.size(); ++i)
@@ -90,9 +104,14 @@ std::vector<CornerHandle> corner_handles(const std::string& case_file, const for
   std::vector<CornerHandle> handles;
   for (std::size_t t = 0; tools && t < tools->items.size() && t < scene.tools.size(); ++t) {
     const core::CaseNode* boundaries = member(&tools->items[t], "boundary");
+    DrawnTool one{scene.tools[t], {}};
+    for (std::size_t b = 0; boundaries && b < boundaries->items.size(); ++b) {
+      const auto* path = member(&boundaries->items[b], "path");
+      one.drawn.push_back(!path || is_drawn(*path));
+    }
     for (std::size_t b = 0; boundaries && b < boundaries->items.size(); ++b)
       if (const auto* path = member(&boundaries->items[b], "path"))
-        add_path(scene.tools[t], fmt::format("tool.{}.boundary.{}.path", t, b), *path, handles);
+        add_path(one, fmt::format("tool.{}.boundary.{}.path", t, b), *path, handles);
   }
   return handles;
 }
