@@ -22,7 +22,7 @@ std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked)
     const auto text = [&](const char* key) { return contour->text_of(key); };
     return given_contour(one.file(), text("key"),
                          {text("file"), text("unit"), text("layer"), text("from"), text("via"), text("to"),
-                          text("origin"), text("axis")});
+                          text("origin"), text("axis"), contour->flag_of("as_points")});
   }
   return assignments;
 }

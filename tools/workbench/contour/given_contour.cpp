@@ -64,9 +64,13 @@ Target target_of(const std::string& case_file, const std::string& key) {
           forming::read_outline(*list, file.directory, notes)};
 }
 
+/// A number of mm or degrees.
+double rounded(double value) {
+  return std::round(1e4 * value) / 1e4 + 0.0;
+}
+
 std::string point_text(const Point& x) {
-  const auto rounded = [](double value) { return std::round(1e4 * value / mm) / 1e4 + 0.0; };
-  return fmt::format("({}, {})", rounded(x[0]), rounded(x[1]));
+  return fmt::format("({}, {})", rounded(x[0] / mm), rounded(x[1] / mm));
 }
 
 std::string path_text(const DrawnContour& contour) {
@@ -94,6 +98,28 @@ std::vector<core::Segment> read(const Target& target, const DrawnContour& contou
   auto segments = forming::read_section(node_of(path_text(contour)), target.directory, notes);
   if (segments.empty()) throw core::CaseError("the contour has no length, allowed are two different places");
   return segments;
+}
+
+/// Segments that follow each other as a `path`: texts of points and arcs.
+std::string points_text(const std::vector<core::Segment>& segments) {
+  constexpr double degree = M_PI / 180;
+  std::string list, points = point_text(segments.front().start);
+  const auto add = [&](const std::string& text) { list += (list.empty() ? "" : ", ") + core::quoted(text); };
+  const auto end_points = [&] {
+    if (!points.empty()) add(points + " mm");
+    points.clear();
+  };
+  for (const core::Segment& segment : segments) {
+    if (!segment.is_arc) {
+      points += (points.empty() ? "" : " ") + point_text(segment.end);
+      continue;
+    }
+    end_points();
+    add(fmt::format("arc centre {} mm radius {} mm from {} deg to {} deg", point_text(segment.centre),
+                    rounded(segment.radius / mm), rounded(segment.from / degree), rounded(segment.to / degree)));
+  }
+  end_points();
+  return "[" + list + "]";
 }
 
 Point point_of(const std::string& text) {
@@ -163,7 +189,8 @@ std::vector<std::string> given_contour(const std::string& case_file, const std::
     place_as(target, drawn);
     assignments = walls(target, drawn);
   }
-  assignments.insert(assignments.begin(), fmt::format("{}={}", key, path_text(drawn)));
+  const std::string path = drawn.as_points ? points_text(read(target, drawn)) : path_text(drawn);
+  assignments.insert(assignments.begin(), fmt::format("{}={}", key, path));
   return assignments;
 }
 

@@ -8,6 +8,7 @@ namespace parison::tools {
 /// A contour of a drawing beside a case, in the words of a `path` of a case; empty ones are left out.
 struct DrawnContour {
   std::string file, unit, layer, from, via, to, origin, axis;
+  bool as_points = false;  ///< the case gets its points and arcs, without the drawing
 };
 
 /// What gives a contour to a boundary of a tool, `tool.2.boundary.0.path`, as assignments for core::override_value. It

@@ -38,6 +38,8 @@ export function dxfPart() {
   const whole = element("button", { onclick: () => (Object.assign(state, { zoom: 1, shift: [0, 0] }), draw()) }, word("whole"));
   const give = element("button", { class: "main", id: "dxf-give", onclick: () => assign() }, word("give"));
 
+  const asPoints = element("input", { type: "checkbox", id: "dxf-points" });
+
   const originText = () => `(${shown(state.origin[0], 4)}, ${shown(state.origin[1], 4)}) mm`;
   const forgetPlaces = () => Object.assign(state, { from: null, via: null, to: null });
   async function load(name = state.name, text = "") {
@@ -114,7 +116,7 @@ export function dxfPart() {
   async function assign() {
     const label = target.selectedOptions[0].text, axisOf = state.axis === "y" ? "" : state.axis;
     const contour = { key: target.value, file: state.name, unit: state.unit, layer: state.layer, from: point(state.from), via: point(state.via), to: point(state.to),
-      origin: state.origin.some((x) => x) ? originText() : "", axis: axisOf };
+      origin: state.origin.some((x) => x) ? originText() : "", axis: axisOf, as_points: asPoints.checked };
     if (!(await change("set", { contour }))) return;
     forgetPlaces();
     Object.assign(state, { click: "fromClick", given: label });
@@ -178,7 +180,7 @@ export function dxfPart() {
 
   const panel = element("div", { class: "dxf-tab", ondragover: (event) => event.preventDefault(), ondrop: (event) => (event.preventDefault(), event.dataTransfer.files[0] && take(event.dataTransfer.files[0])) },
     element("div", { class: "bar" }, input, files, element("label", { class: "tick" }, word("unit"), unit), element("label", { class: "tick" }, word("axisDirection"), axis)),
-    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give), told, notes);
+    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give, element("label", { class: "tick" }, asPoints, word("asPoints"))), told, notes);
   let caseName = "";
   on("case", () => {
     const chosen = target.value, { touched, others } = boundaries();
