@@ -65,37 +65,47 @@ double thickness_behind(const Contour& contour, const std::vector<core::Segment>
   return shank[0] - bore;
 }
 
+namespace {
+
+/// The walls from the tip, its end on the axis, to the rim, each without its first point; empty where there are none.
+std::vector<Points> from_tip(const Contour& contour, double thickness, const Point& tip, const Point& rim, bool solid) {
+  if (!contour.inside) {
+    const double r = contour.width() + thickness, level = tip[1] + (tip[1] > rim[1] ? thickness : -thickness);
+    return {{{0, level}}, {{r, level}, {r, rim[1]}}, {rim}};
+  }
+  if (solid) return {{{0, rim[1]}}, {rim}};
+  Points points = points_of(contour.segments);
+  if (tip == contour.end()) std::reverse(points.begin(), points.end());
+  const Points bore = bore_behind(points, thickness);
+  if (bore.size() < 2) return {};
+  return {{bore.front()}, {bore.begin() + 1, bore.end()}, {rim}};
+}
+
+/// The same from the rim to the tip.
+std::vector<Points> turned(const std::vector<Points>& walls, const Point& tip) {
+  std::vector<Points> back;
+  for (std::size_t i = walls.size(); i-- > 0;) {
+    back.emplace_back(walls[i].rbegin() + 1, walls[i].rend());
+    back.back().push_back(i > 0 ? walls[i - 1].back() : tip);
+  }
+  return back;
+}
+
+}  // namespace
+
 std::optional<std::vector<Points>> walls_behind(const Contour& contour, double thickness, std::size_t count) {
   const Point a = contour.begin(), b = contour.end();
   const bool begins_on_axis = a[0] < on_axis, ends_on_axis = b[0] < on_axis;
-  const bool open = !begins_on_axis && !ends_on_axis;
-  if (!(thickness > 0) || (begins_on_axis && ends_on_axis) || (open && contour.inside) || a[1] == b[1]) return {};
-  const Point tip = begins_on_axis ? a : b, rim = begins_on_axis ? b : a;
-  std::vector<Points> walls;  // from the tip to the rim, each without its first point
-  if (open) {
-    const double r = contour.width() + thickness;
+  if (!(thickness > 0) || (begins_on_axis && ends_on_axis) || a[1] == b[1]) return {};
+  std::vector<Points> walls;
+  if (begins_on_axis)
+    walls = turned(from_tip(contour, thickness, a, b, count == 2), a);
+  else if (ends_on_axis)
+    walls = from_tip(contour, thickness, b, a, count == 2);
+  else if (const double r = contour.width() + thickness; !contour.inside)
     walls = {{{r, b[1]}}, {{r, a[1]}}, {a}};
-  } else if (!contour.inside) {
-    const double r = contour.width() + thickness, level = tip[1] + (tip[1] > rim[1] ? thickness : -thickness);
-    walls = {{{0, level}}, {{r, level}, {r, rim[1]}}, {rim}};
-  } else if (count == 2) {
-    walls = {{{0, rim[1]}}, {rim}};
-  } else {
-    Points points = points_of(contour.segments);
-    if (ends_on_axis) std::reverse(points.begin(), points.end());
-    const Points bore = bore_behind(points, thickness);
-    if (bore.size() < 2) return {};
-    walls = {{bore.front()}, {bore.begin() + 1, bore.end()}, {rim}};
-  }
   if (walls.size() != count) return {};
-  if (!begins_on_axis) return walls;
-  std::vector<Points> back;  // the same from the rim to the tip
-  for (std::size_t i = walls.size(); i-- > 0;) {
-    Points points(walls[i].rbegin() + 1, walls[i].rend());
-    points.push_back(i > 0 ? walls[i - 1].back() : tip);
-    back.push_back(points);
-  }
-  return back;
+  return walls;
 }
 
 }  // namespace parison::tools

@@ -89,6 +89,7 @@ TextHistory HistoryFile::read(const std::string& now) {
     if (next == content.npos) break;
     at = next;
   }
+  if (at == 0) path_.clear();  // a file of somebody else
   const bool is_new = history.now != now;
   if (is_new) history.change(now);
   if (at < content.size() || is_new) write_whole(history);
@@ -108,7 +109,7 @@ void HistoryFile::append(const std::string& record) {
 
 void HistoryFile::write_whole(const TextHistory& history) {
   std::error_code ignored;
-  if (fs::exists(fs::symlink_status(path_, ignored)) && !is_there()) return;
+  if (path_.empty() || (fs::exists(fs::symlink_status(path_, ignored)) && !is_there())) return;
   std::vector<std::string> before = history.before;
   drop_oldest(before, most_rewritten);
   std::string content;
