@@ -32,8 +32,8 @@ export function dxfPart() {
   const layers = element("div", { class: "bar", id: "dxf-layers" });
   const picks = element("div", { class: "bar", role: "radiogroup" });
   const next = element("p", { class: "note", id: "dxf-next", role: "status" });
-  const told = element("p", { class: "bad" }), notes = element("p", { class: "soft" }), where = element("span", { class: "number", id: "dxf-where" });
-  const svg = drawn("svg", { class: "dxf", role: "img", "aria-label": word("drawing"), onclick: (event) => pick(event), onpointerdown: (event) => grip(event) });
+  const told = element("p", { class: "bad" }), notes = element("p", { class: "soft" }), where = element("span", { class: "number", id: "dxf-where", role: "status" });
+  const svg = drawn("svg", { class: "dxf", role: "group", tabindex: 0, "aria-label": word("drawing"), onclick: (event) => click(event), onkeydown: (event) => key(event), onpointerdown: (event) => grip(event) });
   svg.addEventListener("wheel", (event) => wheel(event), { passive: false });
   const whole = element("button", { onclick: () => (Object.assign(state, { zoom: 1, shift: [0, 0] }), draw()) }, word("whole"));
   const give = element("button", { class: "main", id: "dxf-give", onclick: () => assign() }, word("give"));
@@ -73,12 +73,11 @@ export function dxfPart() {
     if (state.click === "axisClick") places.push(n === 4 ? [(curve[0] + curve[2]) / 2, (curve[1] + curve[3]) / 2] : curve.slice(2 * Math.floor(n / 4), 2 * Math.floor(n / 4) + 2));
     return places;
   }
-  /** The place next to a click, in mm of the case, and the layers that have it. */
-  function nearest(event) {
-    const box = svg.getBoundingClientRect(), x = (event.clientX - box.left) / state.scale + state.left, z = state.top - (event.clientY - box.top) / state.scale;
+  /** The place next to one in mm of the case, and the layers that have it; of those that are wanted. */
+  function nearest(x, z, wanted = () => true) {
     let best = null, least = Infinity;
     for (const layer of visible())
-      for (const at of layer.curves_mm.flatMap(placesOf)) {
+      for (const at of layer.curves_mm.flatMap(placesOf).filter(wanted)) {
         const distance = Math.hypot(at[0] - x, at[1] - z);
         if (best && Math.hypot(at[0] - best.at[0], at[1] - best.at[1]) < 1e-6) best.layers.push(layer.name);
         else if (distance < least) [best, least] = [{ at, layers: [layer.name] }, distance];
@@ -90,8 +89,25 @@ export function dxfPart() {
     const [x, y] = { y: [r, z], "-y": [-r, -z], x: [z, -r], "-x": [-z, r] }[state.axis];
     return [x + state.origin[0], y + state.origin[1]];
   };
-  function pick(event) {
-    const end = state.dragged ? null : nearest(event);
+  function click(event) {
+    const box = svg.getBoundingClientRect();
+    if (!state.dragged) pick(nearest((event.clientX - box.left) / state.scale + state.left, state.top - (event.clientY - box.top) / state.scale));
+  }
+  /** Arrow keys lead to the next place in their direction, Enter takes it. */
+  function key(event) {
+    const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    if (!way && event.key !== "Enter") return;
+    event.preventDefault();
+    const [x, z] = state.cursor || [state.left, state.top], isAhead = ([r, y]) => {
+      const along = (r - x) * way[0] + (y - z) * way[1], across = Math.abs((r - x) * way[1]) + Math.abs((y - z) * way[0]);
+      return along > 1e-6 && across <= along;
+    };
+    if (!way) return state.cursor && pick(nearest(x, z));
+    const found = state.cursor ? nearest(x, z, isAhead) : nearest(x, z);
+    if (found) state.cursor = found.at;
+    show();
+  }
+  function pick(end) {
     if (!end) return;
     const place = inDrawing(end.at), along = state.axis.endsWith("y") ? 1 : 0, click = state.click;
     if (click === "axisClick") state.origin[1 - along] = place[1 - along];
@@ -104,7 +120,7 @@ export function dxfPart() {
     }
     state.given = "";
     state.click = clicks[Math.min(clicks.indexOf(click) + 1, clicks.length - 1)];
-    if (click === "axisClick" || click === "planeClick") forgetPlaces(), load();
+    if (click === "axisClick" || click === "planeClick") (state.cursor = null), forgetPlaces(), load();
     else show();
   }
   /** The tool that is called as the layer. */
@@ -158,7 +174,7 @@ export function dxfPart() {
       const box = element("input", { type: "checkbox", checked: !state.hidden.has(layer.name), "data-layer": layer.name, onchange: () => (state.hidden[box.checked ? "delete" : "add"](layer.name), show()) });
       return element("label", { class: `tick layer layer${i % colours}` }, box, `${layer.name} (${layer.curves_mm.length})`);
     }));
-    where.textContent = [word("originAt", originText()), ...Object.entries(ends).map(([click, name]) => state[name] && `${word(click)} ${point(state[name])}`)].filter((one) => one).join(", ");
+    where.textContent = [state.cursor && word("cursorAt", point(state.cursor)), word("originAt", originText()), ...Object.entries(ends).map(([click, name]) => state[name] && `${word(click)} ${point(state[name])}`)].filter((one) => one).join(", ");
     give.disabled = !isReady();
     draw();
   }
@@ -175,7 +191,7 @@ export function dxfPart() {
     const mark = (place, kind) => (place ? [drawn("circle", { class: kind, cx: at(...place)[0], cy: at(...place)[1], r: 5 })] : []);
     const [ox, oy] = at(0, 0), class_ = (layer) => `layer${state.answer.layers.indexOf(layer) % colours}`;
     svg.replaceChildren(...visible().flatMap((layer) => layer.curves_mm.map((curve) => drawn("path", { class: class_(layer), d: path(curve) }))),
-      drawn("path", { class: "axis", d: `M${ox} 0V${height}M0 ${oy}H${width}` }), ...mark(state.from, "from"), ...mark(state.via, "via"), ...mark(state.to, "to"));
+      drawn("path", { class: "axis", d: `M${ox} 0V${height}M0 ${oy}H${width}` }), ...mark(state.from, "from"), ...mark(state.via, "via"), ...mark(state.to, "to"), ...mark(state.cursor, "cursor"));
   }
 
   const panel = element("div", { class: "dxf-tab", ondragover: (event) => event.preventDefault(), ondrop: (event) => (event.preventDefault(), event.dataTransfer.files[0] && take(event.dataTransfer.files[0])) },

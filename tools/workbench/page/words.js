@@ -64,6 +64,7 @@ const table = {
   fromClick: ["Begin", "Anfang"],
   viaClick: ["Between", "Dazwischen"],
   toClick: ["End", "Ende"],
+  cursorAt: ["at {0}", "bei {0}"],
   originAt: ["origin {0}", "Ursprung {0}"],
   give: ["Give to the tool", "Dem Werkzeug geben"],
   text: ["Case file", "Falldatei"],
