@@ -212,6 +212,13 @@ Chain way_past_branches(const CaseTable& table, const Chain& curves, const Point
                            meet, ways->size()));
 }
 
+/// How many curves have a part beside the axis, at positive radii: the mirrored half of a full section has none.
+std::size_t count_right(const Chain& curves, double joined) {
+  return static_cast<std::size_t>(std::count_if(curves.begin(), curves.end(), [&](const Segment& curve) {
+    return std::max({curve.start[0], core::point_at(curve, 0.5)[0], curve.end[0]}) > joined;
+  }));
+}
+
 /// The outline of the drawing at the first place as one chain of curves in the frame of the case; where curves branch,
 /// the wanted part of it.
 Chained read_chain(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
@@ -230,9 +237,10 @@ Chained read_chain(const CaseTable& table, const std::string& directory, std::ve
                                 file.text, drawn.chain.size(), first.text, table.get("to").text));
   } else {
     check_choice(table, drawn, layers);
-    if (const std::size_t left = curves.size() - drawn.chain.size(); left > 0)
+    const double joined = tolerance::joined * size;
+    if (const std::size_t all = count_right(curves, joined), taken = count_right(drawn.chain, joined); all > taken)
       notes.push_back(fmt::format("of \"{}\" the outline through {} was taken, {} curves of others were left out",
-                                  file.text, first.text, left));
+                                  file.text, first.text, all - taken));
   }
   const ClosedGaps& closed = drawn.closed;
   // The CAD kernel finds where a plane cuts a curved surface within less than that.

@@ -178,15 +178,25 @@ struct Refused {
   std::string path, sentence;
 };
 
-TEST(Section, of_several_views_on_a_layer_that_with_the_first_place_is_taken_with_a_note) {
-  const std::string layer_of_all = "unit = \"mm\", " + round_the_inside;  // blank, centre line and frame
+TEST(Section, of_several_views_that_with_the_first_place_is_taken_with_a_note_unless_they_are_beyond_the_axis) {
   const core::Profile wanted = blank_of(blank_points);
-  const Scene scene = scene_of(with_blank(drawing(bundled("blank.dxf"), layer_of_all)));
-  expect_same_outline(scene.tools.back().profile, wanted);
-  const auto& notes = scene.tools.back().drawing_notes;
-  ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("the outline through (31, 14) mm was taken, "), std::string::npos) << notes[0];
-  EXPECT_NE(notes[0].find(" curves of others were left out"), std::string::npos) << notes[0];
+  const std::string sheet = core::read_text(bundled("blank.dxf"));  // blank, and a centre line on the axis
+  const auto with_circle = [&](const std::string& r) {
+    const std::string circle = "  0\nCIRCLE\n  8\nVIEW\n 10\n" + r + "\n 20\n60\n 40\n5\n", end = "  0\nENDSEC\n";
+    std::string text = sheet;
+    const auto at = text.rfind(end);
+    EXPECT_NE(at, text.npos);
+    const std::string file = file_beside_case("views.dxf", text.insert(std::min(at, text.size()), circle));
+    return scene_of(with_blank(drawing(file, "unit = \"mm\", " + round_the_inside)));
+  };
+  const Scene right = with_circle("80"), left = with_circle("-80");
+  expect_same_outline(right.tools.back().profile, wanted);
+  expect_same_outline(left.tools.back().profile, wanted);
+  ASSERT_EQ(right.tools.back().drawing_notes.size(), 1u);
+  const std::string note = right.tools.back().drawing_notes[0];
+  EXPECT_NE(note.find("the outline through (31, 14) mm was taken, "), std::string::npos) << note;
+  EXPECT_NE(note.find(" curves of others were left out"), std::string::npos) << note;
+  EXPECT_EQ(left.tools.back().drawing_notes, std::vector<std::string>{});
 }
 
 TEST(Section, the_place_that_chooses_the_way_round_may_lie_next_to_it) {
