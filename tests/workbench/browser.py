@@ -28,6 +28,7 @@ class Page:
             options.add_argument(flag)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.driver.set_script_timeout(120)  # a report draws for a while on a busy machine
 
     def __enter__(self):
         return self

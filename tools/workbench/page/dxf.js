@@ -42,15 +42,17 @@ export function dxfPart() {
 
   const originText = () => `(${shown(state.origin[0], 4)}, ${shown(state.origin[1], 4)}) mm`;
   const forgetPlaces = () => Object.assign(state, { from: null, via: null, to: null });
-  async function load(name = state.name, text = "") {
+  const load = (...asked) => (state.loading = read(...asked));
+  async function read(name = state.name, text = "") {
     if (!name) return;
     if (name !== state.name) Object.assign(state, { hidden: new Set(), zoom: 1, shift: [0, 0], click: "axisClick" }), forgetPlaces();
     state.name = name;
     const asked = { case: model.name, name, text, unit: state.unit, axis: state.axis, origin: originText() };
     const answer = await tryAsk("drawing", asked);
     if (answer) state.answer = answer;
-    if (answer && text) await list();
+    svg.dataset.axis = asked.axis;
     show();
+    if (answer && text) await list();
   }
   const take = (file) => {
     const reader = new FileReader();
@@ -89,15 +91,18 @@ export function dxfPart() {
     const [x, y] = { y: [r, z], "-y": [-r, -z], x: [z, -r], "-x": [-z, r] }[state.axis];
     return [x + state.origin[0], y + state.origin[1]];
   };
-  function click(event) {
+  async function click(event) {
+    if (state.dragged) return;
+    await state.loading; // of the click before
     const box = svg.getBoundingClientRect();
-    if (!state.dragged) pick(nearest((event.clientX - box.left) / state.scale + state.left, state.top - (event.clientY - box.top) / state.scale));
+    pick(nearest((event.clientX - box.left) / state.scale + state.left, state.top - (event.clientY - box.top) / state.scale));
   }
   /** Arrow keys lead to the next place in their direction, Enter takes it. */
-  function key(event) {
+  async function key(event) {
     const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (!way && event.key !== "Enter") return;
     event.preventDefault();
+    await state.loading;
     const [x, z] = state.cursor || [state.left, state.top], isAhead = ([r, y]) => {
       const along = (r - x) * way[0] + (y - z) * way[1], across = Math.abs((r - x) * way[1]) + Math.abs((y - z) * way[0]);
       return along > 1e-6 && across <= along;
