@@ -133,7 +133,7 @@ export function resultPart() {
     if (!model.run || !hasResult(model.run) || shownName === model.results) return;
     shownName = model.results;
     const address = `result/${encodeURIComponent(model.results)}/${model.run.study ? "#differences" : ""}`;
-    panel.replaceChildren(element("p", { class: "bar" }, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results), model.run.study ? null : exportBar(model.results)), element("iframe", { src: address, title: word("result") }));
+    panel.replaceChildren(element("p", { class: "bar" }, element("a", { href: address, target: "_blank", rel: "noopener" }, model.results), model.run.study ? null : exportBar(model.results)), element("iframe", { src: address, title: word("result"), loading: "lazy" }));
   });
   return panel;
 }
