@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "core/case/case_error.hpp"
+#include "core/io/json_read.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/report/solid/solid_files.hpp"
@@ -35,13 +36,29 @@ void tell(const std::string& path, const std::string& what, double volume, doubl
              100 * (volume / glass - 1));
 }
 
-void tell_shell(const std::string& path, const forming::ShellMesh& shell, double glass) {
-  tell(path, fmt::format("{} shells, {} nodes", shell.elements, shell.nodes), shell.volume, glass);
+void tell_shell(const ExportRequest& request, const forming::ShellMesh& shell, double glass) {
+  tell(request.shell, fmt::format("{} shells, {} nodes", shell.elements, shell.nodes), shell.volume, glass);
   fmt::print("  the shell has no rim, no bead and no foot: its volume differs from that of the glass by these\n");
+  fmt::print("  ready for \"ccx {}\": 1 kN of top load, 1 bar inside, 1 kN between the sides\n",
+             std::filesystem::path(request.shell).replace_extension("").string());
+  const auto summary = core::read_json_file(request.results + "/summary.json");
+  const core::JsonValue* cooling = summary ? summary->find("cooling") : nullptr;
+  if (!cooling) return;
+  const auto tension = [&](const char* side) {
+    const core::JsonValue* of_side = cooling->find(side);
+    return of_side ? of_side->number_of("MPa") : 0;
+  };
+  fmt::print("  to the tension of a load comes that of cooling, at most {:.2f} MPa outside and {:.2f} MPa inside\n",
+             tension("residual_outer"), tension("residual_inner"));
 }
 
 void tell_glass(const std::string& results, double glass) {
   fmt::print("glass of {}: {:.3f} cm3; all files in mm\n", results, glass / cubic_centimetre);
+}
+
+forming::Scene scene_of(const std::string& results, const std::string& checkpoint) {
+  const forming::CaseOrigin origin = forming::read_origin(checkpoint);
+  return forming::read_scene(forming::case_copy_folder(results), origin.accuracy, origin.overrides);
 }
 
 int export_round(const ExportRequest& request) {
@@ -50,7 +67,10 @@ int export_round(const ExportRequest& request) {
   tell_glass(request.results, glass);
   if (!request.step.empty()) tell(request.step, "solid of revolution", forming::write_step(request.step, shape), glass);
   if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, shape), glass);
-  if (!request.shell.empty()) tell_shell(request.shell, forming::write_shell(request.shell, shape), glass);
+  if (!request.shell.empty()) {
+    const forming::Scene scene = scene_of(request.results, forming::find_checkpoint(request.results));
+    tell_shell(request, forming::write_shell(request.shell, shape, forming::shell_glass(scene)), glass);
+  }
   return 0;
 }
 
@@ -61,9 +81,7 @@ int export_space(const ExportRequest& request) {
         fmt::format("{}: glass in space was found, allowed with --step is round glass; --stl and --shell have its form",
                     request.results));
   const std::string checkpoint = forming::find_checkpoint(request.results);
-  const forming::CaseOrigin origin = forming::read_origin(checkpoint);
-  const forming::Scene scene =
-      forming::read_scene(forming::case_copy_folder(request.results), origin.accuracy, origin.overrides);
+  const forming::Scene scene = scene_of(request.results, checkpoint);
   const auto solid = forming::read_checkpoint(checkpoint, scene).outcome.solid;
   if (!solid)
     throw core::CaseError(
@@ -71,7 +89,8 @@ int export_space(const ExportRequest& request) {
   const double glass = forming::whole_volume(*solid);
   tell_glass(request.results, glass);
   if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, *solid), glass);
-  if (!request.shell.empty()) tell_shell(request.shell, forming::write_shell(request.shell, *solid), glass);
+  if (!request.shell.empty())
+    tell_shell(request, forming::write_shell(request.shell, *solid, forming::shell_glass(scene)), glass);
   return 0;
 }
 

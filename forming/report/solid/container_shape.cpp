@@ -66,6 +66,18 @@ std::vector<Point> read_outline(const std::string& path) {
   return points;
 }
 
+/// Adds a point to the middle; points before it that it goes back behind, by less than the wall is thick, are noise of
+/// the places on the inner side, and go.
+void add_point(const MidPoint& point, std::vector<MidPoint>& middle) {
+  while (middle.size() > 1) {
+    const Point step = point.position - middle.back().position;
+    if (step.norm() > point.thickness || step.dot(middle.back().position - middle[middle.size() - 2].position) > 0)
+      break;
+    middle.pop_back();
+  }
+  middle.push_back(point);
+}
+
 /// Where two stretches of wall are joined, the middle goes straight from one to the other.
 std::vector<MidPoint> read_middle(const std::string& path, double& bridged) {
   const Columns rows(path, {"mark", "r_outer_mm", "z_outer_mm", "r_inner_mm", "z_inner_mm", "thickness_mm"});
@@ -75,13 +87,14 @@ std::vector<MidPoint> read_middle(const std::string& path, double& bridged) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const bool is_wall = rows.text(i, 0) == "wall";
     if (is_wall) {
-      const Point outer(rows.number(i, 1), rows.number(i, 2)), inner(rows.number(i, 3), rows.number(i, 4));
-      MidPoint point{core::millimetre * 0.5 * (outer + inner), core::millimetre * rows.number(i, 5)};
+      const Point outer = core::millimetre * Point(rows.number(i, 1), rows.number(i, 2)),
+                  inner = core::millimetre * Point(rows.number(i, 3), rows.number(i, 4));
+      MidPoint point{0.5 * (outer + inner), core::millimetre * rows.number(i, 5), outer[1]};
       if (point.position[0] < on_axis) point.position[0] = 0;
       const double step = middle.empty() ? 0 : (point.position - middle.back().position).norm();
       length += step;
       if (!was_wall) joined += step;
-      middle.push_back(point);
+      add_point(point, middle);
     }
     was_wall = is_wall;
   }

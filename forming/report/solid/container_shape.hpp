@@ -11,6 +11,7 @@ namespace parison::forming {
 struct MidPoint {
   core::Point position;  ///< m
   double thickness;      ///< normal to the outer side, m
+  double outer;          ///< z of the outer side, m
 };
 
 /// The section of a container as a result folder has it, r and z in m, the glass on the left of its outline.

@@ -90,20 +90,72 @@ double distance(const MidPoint& a, const MidPoint& b) {
   return (a.position - b.position).norm();
 }
 
-/// The middle at an odd number of places: ends of elements at even indices, their middles between them. Elements are
-/// about `size` long, m, but never across a bend of the points by more than they resolve.
-std::vector<MidPoint> meridian(const std::vector<MidPoint>& middle, double size) {
-  std::vector<double> arc{0};
-  for (std::size_t i = 1; i < middle.size(); ++i) arc.push_back(arc.back() + distance(middle[i - 1], middle[i]));
-  const int halves = 2 * std::max(1, static_cast<int>(std::ceil(arc.back() / size)));
-  std::vector<MidPoint> found;
-  std::size_t after = 1;
-  for (int i = 0; i <= halves; ++i) {
-    const double s = arc.back() * i / halves;
-    while (after + 1 < arc.size() && arc[after] < s) ++after;
-    const double t = (s - arc[after - 1]) / (arc[after] - arc[after - 1]);
-    const MidPoint &a = middle[after - 1], &b = middle[after];
-    found.push_back({(1 - t) * a.position + t * b.position, (1 - t) * a.thickness + t * b.thickness});
+/// The place on which the wall stands: its lowest one, the widest where several are within 0.02 mm of that.
+std::size_t standing_place(const std::vector<MidPoint>& middle, int up) {
+  constexpr double flat = 2e-5;  // m
+  const auto height = [&](const MidPoint& point) { return up * point.outer; };
+  const double lowest = height(*std::min_element(
+      middle.begin(), middle.end(), [&](const MidPoint& a, const MidPoint& b) { return height(a) < height(b); }));
+  std::size_t found = middle.size();
+  for (std::size_t i = 0; i < middle.size(); ++i)
+    if (height(middle[i]) <= lowest + flat &&
+        (found == middle.size() || middle[i].position[0] > middle[found].position[0]))
+      found = i;
+  return found;
+}
+
+MidPoint between(const MidPoint& a, const MidPoint& b, double t) {
+  return {(1 - t) * a.position + t * b.position, (1 - t) * a.thickness + t * b.thickness,
+          (1 - t) * a.outer + t * b.outer};
+}
+
+/// A line of points by its arc length, m.
+class MiddleLine {
+ public:
+  explicit MiddleLine(const std::vector<MidPoint>& points) : points_(points), arc_{0} {
+    for (std::size_t i = 1; i < points.size(); ++i) arc_.push_back(arc_.back() + distance(points[i - 1], points[i]));
+  }
+  double length() const { return arc_.back(); }
+  double arc(std::size_t point) const { return arc_[point]; }
+  /// The place of a parabola through as much of the line as the wall is thick (A. Savitzky, M. J. E. Golay, Anal. Chem.
+  /// 36 (1964) 1627-1639, nine points): what is shorter is nothing that a shell could bear.
+  MidPoint smooth_at(double s) const {
+    constexpr int reach = 4;
+    const double half = std::min({0.5 * at(s).thickness, s, length() - s});
+    MidPoint sum{Point::Zero(), 0, at(s).outer};
+    for (int i = -reach; i <= reach; ++i) {
+      const MidPoint point = at(s + half * i / reach);
+      const double weight = (59 - 5 * i * i) / 231.0;
+      sum.position += weight * point.position;
+      sum.thickness += weight * point.thickness;
+    }
+    return sum;
+  }
+
+ private:
+  MidPoint at(double s) const {
+    const auto after = std::clamp<std::size_t>(
+        static_cast<std::size_t>(std::lower_bound(arc_.begin(), arc_.end(), s) - arc_.begin()), 1, arc_.size() - 1);
+    return between(points_[after - 1], points_[after], (s - arc_[after - 1]) / (arc_[after] - arc_[after - 1]));
+  }
+
+  const std::vector<MidPoint>& points_;
+  std::vector<double> arc_;
+};
+
+/// The middle at an odd number of places: ends of elements at even indices, their middles between them. Elements are at
+/// most `size` long, m; one ends at the place on which the wall stands.
+std::vector<MidPoint> meridian(const std::vector<MidPoint>& middle, double size, int up) {
+  const MiddleLine line(middle);
+  std::vector<double> ends{line.length()};
+  const double standing = line.arc(standing_place(middle, up));
+  if (standing > 0.5 * size && line.length() - standing > 0.5 * size) ends.insert(ends.begin(), standing);
+  std::vector<MidPoint> found{middle.front()};
+  double start = 0;
+  for (const double end : ends) {
+    const int halves = 2 * static_cast<int>(std::ceil((end - start) / size));
+    for (int i = 1; i <= halves; ++i) found.push_back(line.smooth_at(start + (end - start) * i / halves));
+    start = end;
   }
   return found;
 }
@@ -125,7 +177,6 @@ class ShellNodes {
     return first_[place] + (place % 2 == 0 ? turned : turned / 2);
   }
   bool on_axis(std::size_t place) const { return on_axis_[place]; }
-  long count() const { return next_ - 1; }
 
  private:
   int around_;
@@ -134,37 +185,32 @@ class ShellNodes {
   std::vector<bool> on_axis_;
 };
 
-std::string node_lines(const std::vector<MidPoint>& points, int around, std::string& thickness) {
-  std::string text;
-  long number = 0;
+/// The meridian turned about the axis: shells of eight nodes, and of six where an end is on the axis.
+Shell turned(const std::vector<MidPoint>& points, int around) {
+  const ShellNodes nodes(points, around);
+  Shell shell;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double r = points[i].position[0] / core::millimetre, z = points[i].position[1] / core::millimetre;
     for (int angle = 0; angle < (r == 0 ? 1 : around); angle += i % 2 == 0 ? 1 : 2) {
-      const double turned = 2 * M_PI * angle / around;
-      text += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", ++number, r * std::cos(turned), r * std::sin(turned), z);
-      thickness += fmt::format("{}, {:.7g}\n", number, points[i].thickness / core::millimetre);
+      const double turn = 2 * M_PI * angle / around;
+      shell.nodes.push_back({{r * std::cos(turn), r * std::sin(turn), z},
+                             points[i].thickness / core::millimetre,
+                             points[i].outer / core::millimetre});
     }
   }
-  return text;
-}
-
-/// Eight-node shells, and six-node ones where an end is on the axis.
-void add_elements(const ShellNodes& nodes, std::size_t places, int around, std::string& eight, std::string& six,
-                  long& count) {
-  for (std::size_t i = 0; i + 2 < places; i += 2)
+  for (std::size_t i = 0; i + 2 < points.size(); i += 2)
     for (int a = 0; a < around; a += 2) {
       const auto n = [&](std::size_t place, int angle) { return nodes.number(place, angle); };
-      ++count;
       if (nodes.on_axis(i))
-        six += fmt::format("{}, {}, {}, {}, {}, {}, {}\n", count, n(i, a), n(i + 2, a + 2), n(i + 2, a),
-                           n(i + 1, a + 2), n(i + 2, a + 1), n(i + 1, a));
+        shell.elements.push_back(
+            {n(i, a), n(i + 2, a + 2), n(i + 2, a), n(i + 1, a + 2), n(i + 2, a + 1), n(i + 1, a)});
       else if (nodes.on_axis(i + 2))
-        six += fmt::format("{}, {}, {}, {}, {}, {}, {}\n", count, n(i, a), n(i, a + 2), n(i + 2, a), n(i, a + 1),
-                           n(i + 1, a + 2), n(i + 1, a));
+        shell.elements.push_back({n(i, a), n(i, a + 2), n(i + 2, a), n(i, a + 1), n(i + 1, a + 2), n(i + 1, a)});
       else
-        eight += fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}\n", count, n(i, a), n(i, a + 2), n(i + 2, a + 2),
-                             n(i + 2, a), n(i, a + 1), n(i + 1, a + 2), n(i + 2, a + 1), n(i + 1, a));
+        shell.elements.push_back({n(i, a), n(i, a + 2), n(i + 2, a + 2), n(i + 2, a), n(i, a + 1), n(i + 1, a + 2),
+                                  n(i + 2, a + 1), n(i + 1, a)});
     }
+  return shell;
 }
 
 /// Middle surface times thickness, by cones, m3.
@@ -180,39 +226,19 @@ double shell_volume(const std::vector<MidPoint>& points) {
 
 }  // namespace
 
-std::string shell_text(const std::string& remark, const ShellLines& lines) {
-  std::string text =
-      "** Container by Parison: the middle of the wall. Units: mm, t, s, N, MPa. A positive pressure on WALL acts from "
-      "inside.\n" +
-      remark;
-  text += "*NODE, NSET=CONTAINER\n" + lines.nodes;
-  if (!lines.eight.empty()) text += "*ELEMENT, TYPE=S8, ELSET=WALL\n" + lines.eight;
-  if (!lines.six.empty()) text += "*ELEMENT, TYPE=S6, ELSET=WALL\n" + lines.six;
-  text += "*NODAL THICKNESS\n" + lines.thickness;
-  return text +
-         "** Soda-lime glass at room temperature: Young's modulus, Poisson's ratio, density.\n"
-         "*MATERIAL, NAME=GLASS\n*ELASTIC\n70000., 0.22\n*DENSITY\n2.5e-9\n"
-         "*SHELL SECTION, ELSET=WALL, MATERIAL=GLASS, NODAL THICKNESS\n1.\n";
-}
-
-ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int divisions) {
+ShellMesh write_shell(const std::string& path, const ContainerShape& shape, ShellGlass glass, int divisions) {
   if (shape.middle.size() < 3) throw core::CaseError(fmt::format("{}: the glass is no wall, it has no middle", path));
   double radius = 0;
   for (const MidPoint& point : shape.middle) radius = std::max(radius, point.position[0]);
-  std::vector<MidPoint> points = meridian(shape.middle, 2 * M_PI * radius / divisions);
+  std::vector<MidPoint> points = meridian(shape.middle, M_PI * radius / divisions, glass.up);
   constexpr double near_axis = 0.02;  // of the radius: the middle ends on the axis there
   for (MidPoint* end : {&points.front(), &points.back()})
     if (end->position[0] < near_axis * radius) end->position[0] = 0;
-  const int around = 2 * divisions;
-  const ShellNodes nodes(points, around);
-  std::string thickness, eight, six;
-  const std::string coordinates = node_lines(points, around, thickness);
-  long count = 0;
-  add_elements(nodes, points.size(), around, eight, six, count);
-  const std::string remark =
-      fmt::format("** {:.1f} % of its length joins stretches of wall across feet and beads.\n", 100 * shape.bridged);
-  core::replace_file(path, shell_text(remark, {coordinates, thickness, eight, six}));
-  return {count, nodes.count(), shell_volume(points)};
+  const Shell shell = turned(points, 2 * divisions);
+  glass.remark +=
+      fmt::format("** {:.1f} % of the wall's length joins stretches across feet and beads.\n", 100 * shape.bridged);
+  core::replace_file(path, shell_text(shell, glass));
+  return {static_cast<long>(shell.elements.size()), static_cast<long>(shell.nodes.size()), shell_volume(points)};
 }
 
 }  // namespace parison::forming

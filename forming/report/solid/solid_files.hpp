@@ -3,6 +3,7 @@
 #include <string>
 
 #include "forming/report/solid/container_shape.hpp"
+#include "forming/report/solid/shell_file.hpp"
 
 namespace parison::forming {
 
@@ -14,20 +15,13 @@ double write_step(const std::string& path, const ContainerShape& shape);
 /// `deviation`, m, and are 120 at least. Returns the volume that they enclose, m3.
 double write_stl(const std::string& path, const ContainerShape& shape, double deviation = 1e-5);
 
-/// Lines of an input file for CalculiX or Abaqus: nodes, their thicknesses, shells of eight and of six nodes.
-struct ShellLines {
-  std::string nodes, thickness, eight, six;
-};
-/// The whole file, with a remark of its own.
-std::string shell_text(const std::string& remark, const ShellLines& lines);
-
 /// A shell that was written.
 struct ShellMesh {
   long elements, nodes;
   double volume;  ///< of the middle surface times the thickness, m3
 };
-/// Writes the middle of the wall as an input file for CalculiX or Abaqus, mm: quadratic shells S8, S6 at the axis, with
-/// the thickness at the nodes. `divisions` go around. Throws core::CaseError where the glass is no wall.
-ShellMesh write_shell(const std::string& path, const ContainerShape& shape, int divisions = 48);
+/// Writes the middle of the wall as shell_text does, with S6 at the axis. `divisions` go around, with sides twice as
+/// long as along the wall. Throws core::CaseError where the glass is no wall.
+ShellMesh write_shell(const std::string& path, const ContainerShape& shape, ShellGlass glass, int divisions = 48);
 
 }  // namespace parison::forming

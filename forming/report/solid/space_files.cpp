@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/report/solid/space_files.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -51,11 +49,12 @@ Vector3 at_place(const core::HexFaceNodes& nodes, double a, double b) {
   return sum;
 }
 
-/// The middle of the wall under a face of the inner side: places and thicknesses of its nine nodes, m.
+/// The middle of the wall under a face of the inner side: places and thicknesses of its nine nodes, and the z of its
+/// outer side over them, m.
 struct MiddleFace {
   core::HexFace face;
   core::HexFaceNodes at;
-  Eigen::Matrix<double, 9, 1> thickness;
+  Eigen::Matrix<double, 9, 1> thickness, outer;
   bool outwards;  ///< whether the face's first direction times its second points out of the container
 };
 
@@ -67,12 +66,13 @@ std::vector<MiddleFace> middle_faces(const SolidState& solid) {
   const auto& x = solid.glass.mesh.nodes;
   std::vector<MiddleFace> result;
   for (const core::HexFace& face : faces_of(solid, SolidSide::inner)) {
-    MiddleFace middle{face, {}, {}, true};
+    MiddleFace middle{face, {}, {}, {}, true};
     const auto nodes = core::face_node_numbers(solid.glass.mesh, face);
     for (int n = 0; n < 9; ++n) {
       const Index outer = outer_of.at(nodes[n]);
       middle.at.col(n) = 0.5 * (x[nodes[n]] + x[outer]);
       middle.thickness[n] = thickness.at(outer);
+      middle.outer[n] = x[outer][2];
     }
     const Vector3 across = x[outer_of.at(nodes[4])] - x[nodes[4]];
     middle.outwards = (middle.at.col(5) - middle.at.col(3)).cross(middle.at.col(7) - middle.at.col(1)).dot(across) > 0;
@@ -92,22 +92,19 @@ double volume_of(const MiddleFace& middle) {
 /// Numbers nodes by their places.
 class ShellNodes {
  public:
-  long number(const Vector3& at, double thickness, ShellLines& lines) {
-    const auto [found, is_new] = numbers_.try_emplace({at[0], at[1], at[2]}, static_cast<long>(numbers_.size()) + 1);
-    if (is_new) {
-      lines.nodes += fmt::format("{}, {:.9g}, {:.9g}, {:.9g}\n", found->second, at[0], at[1], at[2]);
-      lines.thickness += fmt::format("{}, {:.7g}\n", found->second, thickness / core::millimetre);
-    }
+  long number(const ShellNode& node, Shell& shell) {
+    const auto [found, is_new] =
+        numbers_.try_emplace({node.at[0], node.at[1], node.at[2]}, static_cast<long>(numbers_.size()) + 1);
+    if (is_new) shell.nodes.push_back(node);
     return found->second;
   }
-  long count() const { return static_cast<long>(numbers_.size()); }
 
  private:
   std::map<std::array<double, 3>, long> numbers_;
 };
 
-/// A shell of which the nodes of the face are given in the order of hex_face_nodes.
-void add_shell(const std::array<long, 9>& node, bool is_reversed, long number, ShellLines& lines) {
+/// The shell of which the nodes of the face are given in the order of hex_face_nodes.
+std::vector<long> shell_of(const std::array<long, 9>& node, bool is_reversed) {
   std::array<int, 8> around{0, 1, 2, 5, 8, 7, 6, 3};  // corners and middles in turn
   if (is_reversed) std::reverse(around.begin() + 1, around.end());
   std::vector<long> corners, middles;
@@ -117,8 +114,8 @@ void add_shell(const std::array<long, 9>& node, bool is_reversed, long number, S
     corners.push_back(corner);
     middles.push_back(node[around[k + 1]]);
   }
-  std::string& text = corners.size() == 4 ? lines.eight : lines.six;
-  text += fmt::format("{}, {}, {}\n", number, fmt::join(corners, ", "), fmt::join(middles, ", "));
+  corners.insert(corners.end(), middles.begin(), middles.end());
+  return corners;
 }
 
 }  // namespace
@@ -151,23 +148,25 @@ double write_stl(const std::string& path, const SolidState& solid) {
   return core::millimetre * core::millimetre * core::millimetre * triangles.volume();
 }
 
-ShellMesh write_shell(const std::string& path, const SolidState& solid) {
+ShellMesh write_shell(const std::string& path, const SolidState& solid, const ShellGlass& glass) {
   const Copies copies(solid);
-  ShellLines lines;
+  Shell shell;
   ShellNodes nodes;
-  ShellMesh shell{0, 0, 0};
+  double volume = 0;
   for (const MiddleFace& middle : middle_faces(solid)) {
-    shell.volume += copies.count() * volume_of(middle);
+    volume += copies.count() * volume_of(middle);
     for (int copy = 0; copy < copies.count(); ++copy) {
       std::array<long, 9> number{};
       for (int n = 0; n < 9; ++n)  // a shell has no node in its middle
-        if (n != 4) number[n] = nodes.number(copies.millimetres(middle.at.col(n), copy), middle.thickness[n], lines);
-      add_shell(number, middle.outwards == Copies::is_mirrored(copy), ++shell.elements, lines);
+        if (n != 4)
+          number[n] = nodes.number({copies.millimetres(middle.at.col(n), copy), middle.thickness[n] / core::millimetre,
+                                    middle.outer[n] / core::millimetre},
+                                   shell);
+      shell.elements.push_back(shell_of(number, middle.outwards == Copies::is_mirrored(copy)));
     }
   }
-  shell.nodes = nodes.count();
-  core::replace_file(path, shell_text("", lines));
-  return shell;
+  core::replace_file(path, shell_text(shell, glass));
+  return {static_cast<long>(shell.elements.size()), static_cast<long>(shell.nodes.size()), volume};
 }
 
 }  // namespace parison::forming

@@ -14,8 +14,8 @@ double whole_volume(const SolidState& solid);
 /// they enclose, m3.
 double write_stl(const std::string& path, const SolidState& solid);
 
-/// Writes the middle of the wall of the whole container as an input file for CalculiX or Abaqus, mm: a shell S8 (S6 at
-/// the axis of narrow sectors) for each cell along the wall, with the thickness at the nodes.
-ShellMesh write_shell(const std::string& path, const SolidState& solid);
+/// Writes the middle of the wall of the whole container as shell_text does: a shell for each cell along the wall, S6 at
+/// the axis of narrow sectors.
+ShellMesh write_shell(const std::string& path, const SolidState& solid, const ShellGlass& glass);
 
 }  // namespace parison::forming

@@ -125,14 +125,19 @@ std::vector<std::vector<double>> rows_below(const std::string& text, const std::
   return rows;
 }
 
+/// Some glass in a container that stands along the axis or against it.
+ShellGlass glass_standing(int up) {
+  return {70e9, 0.22, 2500, up, ""};
+}
+
 TEST(SolidFiles, a_shell_mesh_has_the_middle_surface_and_its_thickness_at_every_node) {
   const std::string folder = bowl(), path = folder + "/bowl.inp";
-  const ShellMesh mesh = write_shell(path, read_container_shape(folder));
+  const ShellMesh mesh = write_shell(path, read_container_shape(folder), glass_standing(1));
   const double middle = 0.5 * (outer_radius + inner_radius);
   EXPECT_NEAR(mesh.volume / (2e-9 * M_PI * middle * middle * 3), 1, 1e-3);
   EXPECT_NEAR(mesh.volume / exact, 1, 2e-3);
   const std::string text = core::read_text(path);
-  const auto nodes = rows_below(text, "*NODE,"), eight = rows_below(text, "*ELEMENT, TYPE=S8"),
+  const auto nodes = rows_below(text, "*NODE,"), eight = rows_below(text, "*ELEMENT, TYPE=S8R"),
              six = rows_below(text, "*ELEMENT, TYPE=S6"), thickness = rows_below(text, "*NODAL THICKNESS\n");
   ASSERT_EQ(static_cast<long>(nodes.size()), mesh.nodes);
   ASSERT_EQ(nodes.size(), thickness.size());
@@ -154,6 +159,44 @@ TEST(SolidFiles, a_shell_mesh_has_the_middle_surface_and_its_thickness_at_every_
       const double off = std::hypot(0.5 * (a[1] + b[1]) - m[1], 0.5 * (a[2] + b[2]) - m[2], 0.5 * (a[3] + b[3]) - m[3]);
       EXPECT_LT(off, 0.1 * chord);
     }
+}
+
+/// The middle of a beaker with a flat bottom whose wall leans outwards, 2 mm thick; z points up or down.
+ContainerShape beaker(int up) {
+  ContainerShape shape{{}, false, {}, 0};
+  for (int i = 0; i <= 40; ++i) shape.middle.push_back({{5e-4 * i, 0}, 2e-3, -1e-3 * up});
+  for (int i = 1; i <= 80; ++i)
+    shape.middle.push_back({{0.02 + 5e-5 * i, 1e-3 * i * up}, 2e-3, up * (1e-3 * i - 1e-3 * std::exp(-0.5 * i))});
+  return shape;
+}
+
+TEST(SolidFiles, a_shell_stands_on_the_edge_of_its_base_and_bears_its_loads_on_the_rim_and_where_it_is_wide) {
+  for (const int up : {1, -1}) {
+    const std::string path = tests::new_folder() + "/beaker.inp";
+    write_shell(path, beaker(up), glass_standing(up));
+    const std::string text = core::read_text(path);
+    const auto nodes = rows_below(text, "*NODE,");
+    const auto radius = [&](double number) {
+      const auto& node = nodes[static_cast<std::size_t>(number) - 1];
+      return std::hypot(node[1], node[2]);
+    };
+    const auto base = rows_below(text, "*NSET, NSET=BASE"), finish = rows_below(text, "*NSET, NSET=FINISH");
+    EXPECT_EQ(base.size(), 96u);
+    EXPECT_EQ(finish.size(), 96u);
+    for (const auto& node : base) EXPECT_NEAR(radius(node[0]), 20, 0.3);
+    for (const auto& node : finish) EXPECT_NEAR(radius(node[0]), 24, 1e-6);
+    for (const auto& node : rows_below(text, "*NSET, NSET=BODY")) {
+      EXPECT_GE(radius(node[0]), 0.9 * 24 - 1e-6);
+      EXPECT_NEAR(nodes[static_cast<std::size_t>(node[0]) - 1][2], 0, 1e-6);
+    }
+    double down = 0, from_right = 0, from_left = 0;
+    for (const auto& force : rows_below(text, "*CLOAD, OP=NEW\n")) down += force[2];
+    for (const auto& force : rows_below(text.substr(text.find("** Squeeze")), "*CLOAD, OP=NEW\n"))
+      (force[2] < 0 ? from_right : from_left) += force[2];
+    EXPECT_NEAR(down, -1000.0 * up, 1e-5);
+    EXPECT_NEAR(from_right, -1000, 1e-5);
+    EXPECT_NEAR(from_left, 1000, 1e-5);
+  }
 }
 
 TEST(SolidFiles, what_is_no_container_of_a_result_folder_is_refused_with_a_sentence) {
