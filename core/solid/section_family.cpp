@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/solid/section_table.hpp"
+
 namespace parison::core {
 
 namespace {
@@ -35,7 +37,16 @@ Gauge rounded_rectangle(double x, double y, double depth, double corner) {
   return {value, from_x / slope, from_y / slope};
 }
 
+Gauge gauge(const MeasuredSections& measured, double x, double y, double height) {
+  const double far = std::hypot(x, y);
+  if (far == 0) return {0, 0, 0};
+  const auto [value, by_far, by_angle] = measured.half_width(far, height, std::atan2(y, x));
+  const double along = by_far / far, turn = by_angle / (far * far);  // the angle grows by (-y, x) / far^2
+  return {value, along * x - turn * y, along * y + turn * x};
+}
+
 Gauge gauge(const SectionFamily& family, double x, double y, double height) {
+  if (family.measured) return gauge(*family.measured, x, y, height);
   const double depth = family.depth.y.empty() ? 1 : family.depth(height);
   if (!family.corner.y.empty()) return rounded_rectangle(x, y, depth, std::min({family.corner(height), 1.0, depth}));
   return superellipse(x, y, depth, family.exponent.y.empty() ? 2 : family.exponent(height));
@@ -61,13 +72,16 @@ HalfWidth half_width(const SectionFamily& family, const Vector3& at) {
   return {here.value, {std::copysign(here.dx, at[0]), std::copysign(here.dy, at[1]), rise}};
 }
 
-double reach(const SectionFamily& family, double height, double angle) {
-  if (family.is_round()) return 1;
-  return 1 / half_width_value(family, {std::cos(angle), std::sin(angle), height});
+double reach(const SectionFamily& family, const Point& place, double angle) {
+  if (family.is_round() || place[0] == 0) return 1;
+  const double x = std::cos(angle), y = std::sin(angle);
+  if (family.measured) return family.measured->far(place[0], place[1], std::atan2(std::abs(y), std::abs(x))) / place[0];
+  return 1 / half_width_value(family, {x, y, place[1]});
 }
 
 double area_factor(const SectionFamily& family, double height) {
   if (family.is_round()) return 1;
+  if (family.measured) return family.measured->area_factor(height);
   const double depth = family.depth.y.empty() ? 1 : family.depth(height);
   if (!family.corner.y.empty()) {
     const double corner = std::min({family.corner(height), 1.0, depth});

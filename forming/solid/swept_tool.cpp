@@ -30,7 +30,7 @@ core::SectionMap section_map(const Tool& tool) {
   if (tool.section.is_round()) return core::round_section;
   return [&tool](double r, double z, double angle) {
     const double share = share_of_shape(tool, {r, z});
-    const double radius = r * (1 + share * (core::reach(tool.section, z, angle) - 1));
+    const double radius = r * (1 + share * (core::reach(tool.section, {r, z}, angle) - 1));
     return core::Vector3(radius * std::cos(angle), radius * std::sin(angle), z);
   };
 }

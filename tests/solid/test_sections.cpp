@@ -40,7 +40,7 @@ double area_by_rays(const core::SectionFamily& family) {
   constexpr int rays = 20000;
   double sum = 0;
   for (int i = 0; i < rays; ++i) {
-    const double border = core::reach(family, 0, 2 * M_PI * (i + 0.5) / rays);
+    const double border = core::reach(family, {1, 0}, 2 * M_PI * (i + 0.5) / rays);
     sum += border * border / rays;
   }
   return sum;

@@ -309,7 +309,7 @@ Tool read_tool(const CaseNode& node, const BodyContext& context) {
   if (const auto* item = table.find("swab")) tool.swab = read_swab(*item);
   if (const auto* item = table.find("position")) tool.position = core::quantity(*item, dimension::length);
   read_shape(table, context, tool);
-  if (const auto* item = table.find("section")) tool.section = read_sections(*item, context.geometry, tool);
+  if (const auto* item = table.find("section")) tool.section = read_sections(*item, context, tool);
   if (!tool.thermal) return tool;
   read_start_temperature(table.get("temperature"), context, tool);
   tool.emissivity = find_material(table.get("material"), context, false).emissivity(tool.initial_temperature);

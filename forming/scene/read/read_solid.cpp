@@ -6,6 +6,7 @@
 
 #include "contact/solid/section_surface.hpp"
 #include "forming/scene/container/container_plan.hpp"
+#include "forming/scene/read/drawing/step/measured_sections.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -145,9 +146,12 @@ void check_room(const Scene& scene, const StageTool& entry, const CaseNode& node
 
 }  // namespace
 
-core::SectionFamily read_sections(const CaseNode& node, core::Geometry geometry, const Tool& tool) {
-  if (geometry != core::Geometry::axisymmetric)
+core::SectionFamily read_sections(const CaseNode& node, const BodyContext& context, Tool& tool) {
+  if (context.geometry != core::Geometry::axisymmetric)
     core::refuse(node, "sections were found in a planar case, allowed are they where geometry = \"axisymmetric\"");
+  const bool has_file =
+      CaseTable(node, {"half_depth", "corner_radius", "exponent", "file", "origin", "axis", "turn"}).find("file");
+  if (has_file) return measured_sections(CaseTable(node, {"file", "origin", "axis", "turn"}), context.directory, tool);
   const CaseTable table(node, {"half_depth", "corner_radius", "exponent"});
   core::SectionFamily family;
   const auto *corner = table.find("corner_radius"), *exponent = table.find("exponent");
@@ -161,7 +165,8 @@ core::SectionFamily read_sections(const CaseNode& node, core::Geometry geometry,
       if (!(n >= 2 && n <= 20))
         core::refuse(*exponent, fmt::format("an exponent of {:g} was found, allowed are 2 (an ellipse) to 20", n));
   }
-  if (family.is_round()) core::refuse(node, "no shape was found, allowed are half_depth, corner_radius, exponent");
+  if (family.is_round())
+    core::refuse(node, "no shape was found, allowed are half_depth, corner_radius, exponent or the file of a solid");
   return family;
 }
 

@@ -35,8 +35,8 @@ struct BodyContext {
 Glass read_glass(const core::CaseNode& node, const BodyContext& context);
 Tool read_tool(const core::CaseNode& node, const BodyContext& context);
 
-/// The sections of a tool that is not round; `tool` has its outline.
-core::SectionFamily read_sections(const core::CaseNode& node, core::Geometry geometry, const Tool& tool);
+/// The sections of a tool that is not round; `tool` has its outline, and gets notes about a drawing.
+core::SectionFamily read_sections(const core::CaseNode& node, const BodyContext& context, Tool& tool);
 /// The part of a stage from which on the glass is followed in space. `scene` has the stages before it.
 void read_solid(const core::CaseNode& node, const Stage& stage, Scene& scene);
 /// Refuses sections whose stages follow the glass as a round body, and what is not computed in space yet.

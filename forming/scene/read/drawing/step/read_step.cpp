@@ -13,6 +13,7 @@
 #include "core/process/gmsh_module.hpp"
 #include "forming/scene/read/curves/curve_arcs.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
+#include "forming/scene/read/drawing/step/measured_sections.hpp"
 #include "forming/scene/read/drawing/step/step_curves.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -75,25 +76,36 @@ std::optional<StepCurve> parse_curve(std::string_view line) {
   return curve;
 }
 
-/// The CAD kernel crashes on some damaged files, so it works in a process of its own.
-std::vector<StepCurve> read_curves(const CaseNode& file, const std::string& path, const StepCut& cut, bool& is_cut,
-                                   std::vector<std::string>& notes) {
-  static auto& find = core::gmsh_function<decltype(parison_find_curves)>("parison_find_curves");
+/// What a function of the CAD kernel's module finds in a file, which it crashes on where that is damaged: so it works
+/// in a process of its own.
+std::string text_of_kernel(const CaseNode& file, const std::string& path, const StepCut& cut, const char* function) {
+  auto& find = core::gmsh_function<decltype(parison_find_curves)>(function);
   core::ChildWork work;
-  const auto text_of_curves = [&] {
+  const auto text_of_file = [&] {
     std::string text;
     find(path, cut, text);
     return text;
   };
-  core::in_gmsh_session([&] { work = core::in_child(text_of_curves); });
+  core::in_gmsh_session([&] { work = core::in_child(text_of_file); });
   if (!work.death.empty())
     core::refuse(file, fmt::format("\"{}\" cannot be read by the CAD kernel ({}), allowed is a whole STEP file with a "
                                    "section",
                                    path, work.death));
-  const std::string_view refusal = "refuse ", note = "note ";
+  const std::string_view refusal = "refuse ";
   if (work.text.rfind(refusal, 0) == 0) core::refuse(file, work.text.substr(refusal.size()));
+  return std::move(work.text);
+}
+
+[[noreturn]] void refuse_places(const CaseNode& file, const std::string& path) {
+  core::refuse(file,
+               fmt::format("\"{}\" contains a curve whose place is no number, allowed are finite coordinates", path));
+}
+
+std::vector<StepCurve> parse_curves(const CaseNode& file, const std::string& path, const std::string& text,
+                                    bool& is_cut, std::vector<std::string>& notes) {
+  const std::string_view note = "note ";
   std::vector<StepCurve> curves;
-  core::Lines lines(work.text);
+  core::Lines lines(text);
   for (std::string_view line; lines.next(line);) {
     if (line.rfind(note, 0) == 0) {
       is_cut = true;
@@ -101,9 +113,7 @@ std::vector<StepCurve> read_curves(const CaseNode& file, const std::string& path
       continue;
     }
     auto curve = parse_curve(line);
-    if (!curve)
-      core::refuse(
-          file, fmt::format("\"{}\" contains a curve whose place is no number, allowed are finite coordinates", path));
+    if (!curve) refuse_places(file, path);
     curves.push_back(std::move(*curve));
   }
   return curves;
@@ -185,17 +195,24 @@ std::string whole_file(const CaseNode& file, const std::string& path) {
   return content;
 }
 
+/// What the CAD kernel finds in the file of a table { file, axis, turn }.
+std::string kernel_text(const CaseTable& table, const std::string& path, const char* function) {
+  const CaseNode &file = table.get("file"), *axis = table.find("axis"), *turn = table.find("turn");
+  const std::string content = whole_file(file, path);
+  const StepCut cut{axis ? core::text(*axis) : "", turn ? core::quantity(*turn, core::dimension::none) : 0};
+  std::string text = text_of_kernel(file, path, cut, function);
+  if (core::read_given_file(file, path, "a drawing") != content)  // the kernel has read it once more
+    core::refuse(file,
+                 fmt::format("\"{}\" has changed while it was read, allowed is a file that stays as it is", path));
+  return text;
+}
+
 }  // namespace
 
 std::vector<Segment> read_step(const CaseTable& table, const std::string& path, bool& is_cut,
                                std::vector<std::string>& notes) {
-  const CaseNode &file = table.get("file"), *axis = table.find("axis"), *turn = table.find("turn");
-  const std::string content = whole_file(file, path);
-  const StepCut cut{axis ? core::text(*axis) : "", turn ? core::quantity(*turn, core::dimension::none) : 0};
-  const auto curves = read_curves(file, path, cut, is_cut, notes);
-  if (core::read_given_file(file, path, "a drawing") != content)  // the kernel has read it once more
-    core::refuse(file,
-                 fmt::format("\"{}\" has changed while it was read, allowed is a file that stays as it is", path));
+  const CaseNode& file = table.get("file");
+  const auto curves = parse_curves(file, path, kernel_text(table, path, "parison_find_curves"), is_cut, notes);
   const Flat plane = find_plane(file, path, curves);
   double size = 0;
   for (const StepCurve& curve : curves)
@@ -207,6 +224,19 @@ std::vector<Segment> read_step(const CaseTable& table, const std::string& path, 
     core::refuse(
         file, fmt::format("\"{}\" gives {} lines and arcs, allowed are up to {}", path, segments.size(), max_segments));
   return segments;
+}
+
+std::vector<Triangle> read_step_triangles(const CaseTable& table, const std::string& path) {
+  const std::string text = kernel_text(table, path, "parison_find_triangles");
+  std::vector<Triangle> triangles;
+  core::Lines lines(text);
+  for (std::string_view line; lines.next(line);) {
+    const auto numbers = numbers_of(line);
+    if (!numbers || numbers->size() != 9) refuse_places(table.get("file"), path);
+    Triangle& triangle = triangles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = core::Vector3(&(*numbers)[3 * i]);
+  }
+  return triangles;
 }
 
 }  // namespace parison::forming

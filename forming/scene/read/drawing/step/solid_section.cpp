@@ -150,17 +150,20 @@ TopoDS_Shape outside_of(const TopoDS_Shape& section, std::string& text) {
 
 }  // namespace
 
+std::optional<gp_Ax3> frame_of_cut(const TopoDS_Shape& solids, const StepCut& cut, std::string& text) {
+  if (const auto axis = find_axis(solids, cut.axis)) return frame_of(solids, *axis, cut.turn);
+  text =
+      "refuse a solid without any surface of revolution was found, allowed are solids around an axis, or axis with "
+      "the direction of one through the origin";
+  return {};
+}
+
 TopoDS_Shape section_of_solid(const TopoDS_Shape& solids, const StepCut& cut, std::string& text) {
-  const auto axis = find_axis(solids, cut.axis);
-  if (!axis) {
-    text =
-        "refuse a solid without any surface of revolution was found, allowed are solids around an axis, or axis with "
-        "the direction of one through the origin";
-    return {};
-  }
+  const auto asked = frame_of_cut(solids, cut, text);
+  if (!asked) return {};
   // The kernel finds no section in a plane that a seam of the faces or a side of the solid lies in.
   constexpr double off_seam = 1e-5;  // rad
-  const gp_Ax3 asked = frame_of(solids, *axis, cut.turn), frame = asked.Rotated(*axis, off_seam);
+  const gp_Ax3 frame = asked->Rotated(asked->Axis(), off_seam);
   Bnd_Box box;
   BRepBndLib::Add(solids, box);
   const double reach = 2 * std::sqrt(box.SquareExtent()) + gp_Pnt(0, 0, 0).Distance(frame.Location());
@@ -173,7 +176,7 @@ TopoDS_Shape section_of_solid(const TopoDS_Shape& solids, const StepCut& cut, st
         "which it does";
     return {};
   }
-  const gp_Dir z = frame.Direction(), x = asked.XDirection();
+  const gp_Dir z = frame.Direction(), x = asked->XDirection();
   const gp_Pnt o = frame.Location();
   text += fmt::format(
       "note a solid was cut from its axis along ({:.4g}, {:.4g}, {:.4g}) through ({:.6g}, {:.6g}, {:.6g}) mm "

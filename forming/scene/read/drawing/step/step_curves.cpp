@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomConvert.hxx>
@@ -11,12 +12,17 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
+#include <Poly_Triangulation.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <cmath>
+#include <gp_Trsf.hxx>
+#include <optional>
+#include <utility>
 
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/drawing/step/solid_section.hpp"
@@ -67,6 +73,24 @@ std::string text_of(const TopoDS_Edge& edge) {
   return spline_text(curve, first, last);
 }
 
+/// A face of a solid as triangles, in another frame.
+std::string triangles_text(const TopoDS_Face& face, const gp_Trsf& to_frame) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
+  if (triangulation.IsNull()) return "";
+  const gp_Trsf placed = to_frame * location.Transformation();
+  std::string text;
+  for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
+    int a = 0, b = 0, c = 0;
+    triangulation->Triangle(i).Get(a, b, c);
+    if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
+    text += "triangle";
+    for (const int corner : {a, b, c}) text += text_of(triangulation->Node(corner).Transformed(placed));
+    text += '\n';
+  }
+  return text;
+}
+
 /// The shapes of a file; null where it has none.
 TopoDS_Shape read_shape(const std::string& path) {
   Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
@@ -92,6 +116,21 @@ extern "C" void parison_find_curves(const std::string& path, const StepCut& cut,
         fmt::format("refuse {} curves were found in \"{}\", allowed are up to {}", edges.Extent(), path, max_segments);
   else
     for (int i = 1; i <= edges.Extent(); ++i) text += text_of(TopoDS::Edge(edges(i)));
+}
+
+extern "C" void parison_find_triangles(const std::string& path, const StepCut& cut, std::string& text) {
+  constexpr double deflection = 0.002, angle = 0.05;  // mm; rad: far below what a run resolves
+  const TopoDS_Shape shape = read_shape(path);
+  text.clear();
+  if (shape.IsNull() || !TopExp_Explorer(shape, TopAbs_SOLID).More())
+    text = fmt::format("refuse no solid was found in \"{}\", allowed is a STEP file with that of a mould", path);
+  const auto frame = text.empty() ? frame_of_cut(shape, cut, text) : std::nullopt;
+  if (!frame) return;
+  BRepMesh_IncrementalMesh(shape, deflection, false, angle);
+  gp_Trsf to_frame;
+  to_frame.SetTransformation(*frame);
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    text += triangles_text(TopoDS::Face(face.Current()), to_frame);
 }
 
 }  // namespace parison::forming

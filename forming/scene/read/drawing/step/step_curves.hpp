@@ -20,4 +20,8 @@ struct StepCut {
 /// with a line "note ..." about that axis. In the module of gmsh.
 extern "C" void parison_find_curves(const std::string& path, const StepCut& cut, std::string& text);
 
+/// The surface of the solids in a file as triangles: a line "refuse ...", or a line for each, "triangle" and its three
+/// corners, m, in the frame of the cut, counterclockwise seen from outside. In the module of gmsh.
+extern "C" void parison_find_triangles(const std::string& path, const StepCut& cut, std::string& text);
+
 }  // namespace parison::forming
