@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # opencascade::opencascade, the parts that read STEP files and cut or triangulate solids. Its own package file asks for
-# the headers of all
-# parts.
+# the headers of all parts.
 find_path(opencascade_INCLUDE_DIR STEPControl_Reader.hxx PATH_SUFFIXES opencascade)
 set(opencascade_parts TKSTEP TKXSBase TKMesh TKBO TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKMath TKernel)
 set(opencascade_LIBRARIES)

@@ -69,7 +69,7 @@ HalfWidth half_width(const SectionFamily& family, const Vector3& at) {
   constexpr double apart = 1e-7;  // m: the shapes change over millimetres
   const Vector3 up = apart * Vector3::UnitZ();
   const double rise = (half_width_value(family, at + up) - half_width_value(family, at - up)) / (2 * apart);
-  return {here.value, {std::copysign(here.dx, at[0]), std::copysign(here.dy, at[1]), rise}};
+  return {here.value, {std::copysign(1, at[0]) * here.dx, std::copysign(1, at[1]) * here.dy, rise}};
 }
 
 double reach(const SectionFamily& family, const Point& place, double angle) {

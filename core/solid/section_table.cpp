@@ -91,6 +91,11 @@ double ReachTable::mean_square(double height) const {
   return (reach.square().sum() - (reach[0] * reach[0] + reach[last] * reach[last]) / 2) / static_cast<double>(last);
 }
 
+const ReachTable* MeasuredSections::inner_at(double height) const {
+  const double at = std::clamp(height, outer.low(), outer.high());  // the metal below a base goes on as it is
+  return inner && at >= inner->low() && at <= inner->high() ? &*inner : nullptr;
+}
+
 MeasuredSections::HalfWidth MeasuredSections::half_width(double far, double height, double angle) const {
   const auto at = outer.at(height, angle);
   const double wide = outer.at(height, 0).reach;

@@ -22,7 +22,8 @@ class ReachTable {
   Value at(double height, double angle) const;
   /// Mean of the square of the reach over the angle, m2: the area within the border over pi.
   double mean_square(double height) const;
-  bool covers(double height) const { return height >= heights_.front() && height <= heights_.back(); }
+  double low() const { return heights_.front(); }
+  double high() const { return heights_.back(); }
 
  private:
   struct Weights;
@@ -49,7 +50,7 @@ struct MeasuredSections {
   double area_factor(double height) const;
 
  private:
-  const ReachTable* inner_at(double height) const { return inner && inner->covers(height) ? &*inner : nullptr; }
+  const ReachTable* inner_at(double height) const;
 };
 
 }  // namespace parison::core

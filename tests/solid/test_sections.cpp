@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/solid/section_surface.hpp"
+#include "core/solid/section_table.hpp"
 #include "figure.hpp"
 
 namespace parison {
@@ -79,6 +80,60 @@ TEST(Sections, gradients_are_those_of_differences) {
       }
     }
   off.at_most(1e-5);
+}
+
+/// A square cavity that widens, with a round dome in its base, which begins at 6 mm.
+core::MeasuredSections square_with_dome() {
+  constexpr int rows = 90;
+  const auto table = [&](double from, double to, double at_from, double at_to, bool is_square) {
+    std::vector<double> heights;
+    Eigen::MatrixXd reach(rows + 1, 9);
+    for (int i = 0; i < 9; ++i) {
+      heights.push_back(from + (to - from) * i / 8);
+      for (int row = 0; row <= rows; ++row) {
+        const double angle = M_PI_2 * row / rows, corner = is_square ? 1 + 0.2 * std::pow(std::sin(2 * angle), 2) : 1;
+        reach(row, i) = corner * (at_from + (at_to - at_from) * i / 8);
+      }
+    }
+    return core::ReachTable(heights, reach);
+  };
+  return {table(0, 10 * mm, 20 * mm, 24 * mm, true), table(6 * mm, 10 * mm, 2 * mm, 9 * mm, false)};
+}
+
+TEST(Sections, measured_half_widths_are_those_that_lead_back_to_their_places) {
+  const core::MeasuredSections measured = square_with_dome();
+  tests::Figure back("half width of the place to which a half width leads, m");
+  tests::Figure off("gradient of a measured half width against differences");
+  core::SectionFamily family;
+  family.measured = std::make_shared<core::MeasuredSections>(measured);
+  for (const double height : {1.3 * mm, 6.7 * mm, 9.1 * mm, 13 * mm})
+    for (const double width : {1 * mm, 5 * mm, 15 * mm, 25 * mm})
+      for (const double angle : {0.1, 0.7, 1.4}) {
+        const double far = measured.far(width, height, angle);
+        back.add(std::abs(measured.half_width(far, height, angle).value - width));
+        const Vector3 at(-far * std::cos(angle), far * std::sin(angle), height);
+        const Vector3 gradient = core::half_width(family, at).gradient;
+        for (int axis = 0; axis < 2; ++axis) {
+          const Vector3 apart = 1e-7 * Vector3::Unit(axis);
+          off.add(std::abs(gradient[axis] -
+                           (core::half_width_value(family, at + apart) - core::half_width_value(family, at - apart)) /
+                               2e-7));
+        }
+      }
+  back.at_most(1e-15);
+  off.at_most(1e-6);
+}
+
+TEST(Sections, the_dome_of_a_measured_base_is_round_and_goes_on_below_it) {
+  const core::MeasuredSections measured = square_with_dome();
+  const double high = 10 * mm;
+  EXPECT_NEAR(measured.far(5 * mm, high, M_PI_4), 5 * mm, 1e-15);
+  EXPECT_NEAR(measured.far(24 * mm, high, M_PI_4), 1.2 * 24 * mm, 1e-15);
+  for (const double width : {5 * mm, 15 * mm, 24 * mm, 30 * mm})
+    EXPECT_NEAR(measured.far(width, high, 0.6), measured.far(width, 2 * high, 0.6), 1e-15);
+  EXPECT_NEAR(measured.far(1 * mm, 5 * mm, M_PI_4), 1.2 * mm, 1e-15);  // above the dome it is a square
+  // Of the square 1 + 0.2 sin^2 the mean of the square is 1 + 0.2 + 0.04 * 3 / 8.
+  EXPECT_NEAR(measured.area_factor(high), (1.215 * 24 * 24 - 9 * 9) / (24 * 24 - 9 * 9), 1e-12);
 }
 
 TEST(Sections, gaps_to_a_square_hole_with_round_corners_are_exact) {
