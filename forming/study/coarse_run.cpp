@@ -21,10 +21,18 @@ std::string summary_path(const CoarseCase& coarse) {
 
 }  // namespace
 
+std::array<double, 2> coarse_run_factors(const Scene& scene) {
+  return scene.solid ? std::array{1.5, 2.0} : coarser_factors;
+}
+
+std::array<double, 2> partner_run_factors(const Scene& scene) {
+  return scene.solid ? coarse_run_factors(scene) : partner_factors;
+}
+
 std::vector<CoarseCase> coarse_cases(const Scene& scene, const std::string& directory) {
   std::vector<CoarseCase> cases;
   for (std::size_t i = 0; i < coarse_folders.size(); ++i)
-    if (auto coarse = coarse_case(scene, directory + '/' + coarse_folders[i], coarser_factors[i]))
+    if (auto coarse = coarse_case(scene, directory + '/' + coarse_folders[i], coarse_run_factors(scene)[i]))
       cases.push_back(std::move(*coarse));
   return cases;
 }

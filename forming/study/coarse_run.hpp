@@ -16,11 +16,16 @@ namespace parison::forming {
 inline constexpr std::array coarse_folders{"coarse_run", "coarser_run"};
 static_assert(coarse_folders.size() == coarser_factors.size());
 
+/// Edges and steps of these runs over those of a scene's run. In space they are 1.5 and 2 times as long: three times as
+/// long leave a corner of a mould one or two cells, and such a run told a bar twice as wide as these two do.
+std::array<double, 2> coarse_run_factors(const Scene& scene);
+
 /// The coarser runs by which a what-if compares two runs, in folders of each. The nearer one is twice as coarse instead
 /// of the 1.5 times of a single run's error bars: that costs less, and its scatter counts 1.6 times in Richardson's
-/// estimate, not three times.
+/// estimate, not three times. In space it is that of the error bars.
 inline constexpr std::array partner_folders{"partner_run", coarse_folders.back()};
 inline constexpr std::array partner_factors{2.0, coarser_factors.back()};
+std::array<double, 2> partner_run_factors(const Scene& scene);
 
 /// What a coarser run is run with, and where.
 struct CoarseCase {

@@ -82,13 +82,6 @@ std::vector<Twin> read_twins(const FinishedRun& run) {
   return twins;
 }
 
-/// Of a run that is `text` against one that is `reference`; nothing where they differ in more than that.
-std::optional<double> coarsening(const std::string& text, const std::string& reference) {
-  const AccuracyChoice a = read_accuracy(text), b = read_accuracy(reference);
-  if (a.target || b.target || a.level != b.level) return std::nullopt;
-  return a.coarsening_factor / b.coarsening_factor;
-}
-
 /// Error bars of a run alone, by its coarser runs.
 void add_errors(FinishedRun& run) {
   std::vector<CoarserRun> coarser;
@@ -97,6 +90,12 @@ void add_errors(FinishedRun& run) {
 }
 
 }  // namespace
+
+std::optional<double> coarsening(const std::string& text, const std::string& reference) {
+  const AccuracyChoice a = read_accuracy(text), b = read_accuracy(reference);
+  if (a.target || b.target || a.level != b.level) return std::nullopt;
+  return a.coarsening_factor / b.coarsening_factor;
+}
 
 FinishedRun read_finished_run(const std::string& directory) {
   auto run = read_run(directory);

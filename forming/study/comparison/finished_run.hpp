@@ -48,6 +48,10 @@ struct FinishedRun {
   std::string coarser_stopped;       ///< why the first of those that did not stopped; empty where all did
 };
 
+/// How many times as long as those of one accuracy are edges and steps of another of the same level, both as texts;
+/// nothing where they differ in more than that.
+std::optional<double> coarsening(const std::string& text, const std::string& reference);
+
 /// Reads a result folder with its coarser runs and twins; throws core::CaseError where it has no summary.
 FinishedRun read_finished_run(const std::string& directory);
 

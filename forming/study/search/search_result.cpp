@@ -9,8 +9,10 @@
 
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
+#include "core/io/json_read.hpp"
 #include "core/math/numbers.hpp"
 #include "forming/study/coarse_run.hpp"
+#include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/search/case/search_case.hpp"
 
 namespace parison::forming {
@@ -215,11 +217,15 @@ Confirmed read_confirmed(const Goal& goal, const std::string& folder) {
   if (!found) return {core::none, core::none, false, own.reason.empty() ? "it lacks what the goal needs" : own.reason};
   Confirmed confirmed{found->value, core::none, found->holds(), "", own, found};
   std::vector<ValueOfRun> values{{1, found->value}};
-  for (std::size_t i = 0; i < coarse_folders.size(); ++i) {
-    const std::string coarse = folder + '/' + coarse_folders[i];
+  const auto accuracy_of = [](const std::string& run) {
+    return core::read_json_file(run + "/summary.json").value_or(core::JsonValue{}).text_of("accuracy");
+  };
+  for (const char* name : coarse_folders) {
+    const std::string coarse = folder + '/' + name;
     if (!std::filesystem::exists(coarse + "/summary.json")) continue;
-    if (const auto other = worth(goal, read_outcome(coarse, goal.target.part)))
-      values.push_back({coarser_factors[i], other->value});
+    const auto other = worth(goal, read_outcome(coarse, goal.target.part));
+    const auto factor = coarsening(accuracy_of(coarse), accuracy_of(folder));
+    if (other && factor) values.push_back({*factor, other->value});
   }
   confirmed.bar = bar_of_values(values);
   return confirmed;

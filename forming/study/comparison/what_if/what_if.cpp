@@ -142,7 +142,7 @@ std::string finished_elsewhere(const WhatIf& what_if, const std::string& directo
 std::vector<CoarseCase> partner_cases(const WhatIf& what_if, const Scene& scene, const std::string& directory) {
   std::vector<CoarseCase> cases;
   for (std::size_t i = 0; i < (what_if.twice ? 1 : partner_folders.size()); ++i)
-    if (auto coarse = coarse_case(scene, directory + '/' + partner_folders[i], partner_factors[i]))
+    if (auto coarse = coarse_case(scene, directory + '/' + partner_folders[i], partner_run_factors(scene)[i]))
       cases.push_back(std::move(*coarse));
   return cases;
 }
