@@ -220,10 +220,9 @@ core::SectionFamily measured_sections(const CaseTable& table, const std::string&
   const std::string where =
       fmt::format("{:.3f} mm, furthest at {}", 1e3 * std::abs(off.distance), place_text(off.height, off.row));
   if (std::abs(off.distance) > bearable)
-    core::refuse(file,
-                 fmt::format("the solid is away from its outline with its sections by {}, allowed is {:g} mm (the "
-                             "outline as the half plane cuts it, a base that scales with the sections)",
-                             where, 1e3 * bearable));
+    core::refuse(file, fmt::format("the solid is away from its outline with its sections by {}, allowed is {:g} mm (an "
+                                   "outline as the half plane cuts it, all of it in sight of the axis)",
+                                   where, 1e3 * bearable));
   tool.drawing_notes.push_back(
       fmt::format("sections of \"{}\" were measured at {} heights; the cavity is that of the "
                   "solid within {}",
