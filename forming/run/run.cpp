@@ -33,22 +33,12 @@ void report_step(RunInProgress& run, const AcceptedStep& step) {
     notify(run, &RunObserver::fields_due, interpolate(step.before, state, state.time));
 }
 
-bool is_cooling(const RunInProgress& run) {
-  return run.scene.stages[run.outcome.state.stage].cools;
-}
-
-/// Whether glass between tools is too thin to go on; the reason goes into the facts.
-bool is_too_thin(RunInProgress& run) {
-  if (!run.scene.has_flow() || is_cooling(run)) return false;
-  run.outcome.facts.reason = film_failure(run.scene, run.outcome.state);
-  return !run.outcome.facts.reason.empty();
-}
-
-/// Whether the run has no use to go on; the reason goes into the facts.
-bool is_stalled(RunInProgress& run, StallWatch& watch) {
-  if (!run.scene.has_flow() || is_cooling(run)) return false;
-  run.outcome.facts.reason = watch.reason(run.scene, run.outcome.state, run.outcome.facts.diagnostics);
-  return !run.outcome.facts.reason.empty();
+/// Whether glass between tools is too thin to go on, or the run has no use to go on; the reason goes into the facts.
+bool is_too_thin_or_stalled(RunInProgress& run, StallWatch& watch) {
+  const State& state = run.outcome.state;
+  if (!run.scene.has_flow() || run.scene.stages[state.stage].cools) return false;
+  return ends_by(run, film_failure(run.scene, state)) ||
+         ends_by(run, watch.reason(run.scene, state, run.outcome.facts.diagnostics));
 }
 
 /// Steps until the stage is over. Wherever a checkpoint is possible the run can enter here again.
@@ -60,7 +50,7 @@ bool advance_stage(RunInProgress& run) {
     if (!advance(run, step)) return false;
     update_motion(run.scene, state);
     report_step(run, step);
-    if (is_too_thin(run) || is_stalled(run, watch) || has_outgrown_tool(run)) return false;
+    if (is_too_thin_or_stalled(run, watch) || has_outgrown_tool(run)) return false;
     offer_checkpoint(run, false);
     if (stop_requested(run)) return false;
   }
@@ -130,9 +120,8 @@ RunOutcome resume(const Scene& scene, RunOutcome from, const Observers& observer
   notify(run, &RunObserver::run_begins);
   return finish(run, [&] {
     if (run.outcome.solid) return run_solid_stages(run);
-    std::string& reason = run.outcome.facts.reason;
-    if (state.stage_time == 0) reason = after_press(run.outcome.facts, stage_precondition_failure(scene, state));
-    return run_stages(run, state.stage_time > 0 || reason.empty());
+    return run_stages(run, state.stage_time > 0 ||
+                               !ends_by(run, after_press(run.outcome.facts, stage_precondition_failure(scene, state))));
   });
 }
 

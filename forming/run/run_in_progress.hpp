@@ -39,4 +39,7 @@ void offer_checkpoint(RunInProgress& run, bool at_stage_boundary);
 /// Whether the run was stopped on request; this is recorded in the facts.
 bool stop_requested(RunInProgress& run);
 
+/// Puts a sentence into the facts as the reason why the run ends; false where it is empty and the run goes on.
+bool ends_by(RunInProgress& run, std::string reason);
+
 }  // namespace parison::forming

@@ -80,12 +80,12 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
     if (first && straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid, before_shorter)) continue;
     dt *= shorten;
     if (dt < run.scene.accuracy.min_step) {
-      run.outcome.facts.reason =
+      std::string& reason = run.outcome.facts.reason;
+      reason =
           fmt::format("{}, also in steps of {:g} s, numerics.min_step", outcome.reason, run.scene.accuracy.min_step);
       if (const auto fast = fast_glass(solid))
-        run.outcome.facts.reason = fmt::format(
-            "{} (numerics: {})", run.scene.stages[clock.stage].pressure.empty() ? falls(*fast) : bursts(*fast),
-            run.outcome.facts.reason);
+        reason = fmt::format("{} (numerics: {})",
+                             run.scene.stages[clock.stage].pressure.empty() ? falls(*fast) : bursts(*fast), reason);
       return false;
     }
   }
@@ -109,8 +109,7 @@ bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   solid.next_step = propose_solid_step(run.scene, clock, solid, 0);
   solid.glass.velocity.resize(0);  // pressures jump between stages
   notify(run, &RunObserver::stage_begins);
-  run.outcome.facts.reason = cannot_begin(run, solid);
-  return run.outcome.facts.reason.empty();
+  return !ends_by(run, cannot_begin(run, solid));
 }
 
 bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
@@ -119,8 +118,7 @@ bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& worksp
   while (longest_stage_time(run.scene, clock) - clock.stage_time > same_time) {
     const double before = clock.time;
     if (!step_once(run, solid, workspace)) return false;
-    run.outcome.facts.reason = outgrown(run, solid);
-    if (!run.outcome.facts.reason.empty()) return false;
+    if (ends_by(run, outgrown(run, solid))) return false;
     notify(run, &RunObserver::solid_step_taken, solid);
     if (!outputs_due(run.scene, clock.stage, before, clock.time).empty())
       notify(run, &RunObserver::solid_fields_due, solid);

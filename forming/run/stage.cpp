@@ -101,14 +101,14 @@ std::string after_press(const RunFacts& facts, const std::string& failure) {
 
 bool begin_stage(RunInProgress& run, Index stage) {
   State& state = run.outcome.state;
-  std::string& reason = run.outcome.facts.reason;
   const std::string misplaced = misplaced_boundary(run.scene, state, stage);
   state = start_stage(run.scene, state, stage);
   state.next_step = first_step(run.scene, stage);
   state.next_limit = static_cast<Index>(StepLimit::initial);
   run.workspace.static_stage.reset();
-  reason = after_press(run.outcome.facts, misplaced.empty() ? stage_precondition_failure(run.scene, state) : misplaced);
-  const bool good = reason.empty();
+  const bool good = !ends_by(
+      run,
+      after_press(run.outcome.facts, misplaced.empty() ? stage_precondition_failure(run.scene, state) : misplaced));
   notify(run, &RunObserver::stage_begins);
   if (stage == 0) notify(run, &RunObserver::fields_due, state);
   const bool cools = run.scene.stages[stage].cools, goes_on = cools && remembers(state);

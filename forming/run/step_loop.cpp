@@ -197,17 +197,12 @@ bool remesh_glass(RunInProgress& run, RemeshReason why) {
 }
 
 bool has_outgrown_tool(RunInProgress& run) {
-  const std::string outgrown = gravity_alone_moves(run) ? outgrown_tool(run.scene, run.outcome.state) : "";
-  if (!outgrown.empty()) run.outcome.facts.reason = outgrown;
-  return !outgrown.empty();
+  return gravity_alone_moves(run) && ends_by(run, outgrown_tool(run.scene, run.outcome.state));
 }
 
 bool advance(RunInProgress& run, AcceptedStep& step) {
   const Scene& scene = run.scene;
-  if (const std::string falling = falling_glass(run); !falling.empty()) {
-    run.outcome.facts.reason = falling;
-    return false;
-  }
+  if (ends_by(run, falling_glass(run))) return false;
   const bool may_remesh = scene.has_flow() && !scene.stages[run.outcome.state.stage].cools;
   if (may_remesh && needs_remesh(scene, run.outcome.state) && !remesh_glass(run, RemeshReason::quality)) return false;
   if (step_once(run, step)) return true;
