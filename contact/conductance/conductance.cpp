@@ -37,11 +37,10 @@ bool TableConductance::clamps(double pressure_at, double viscosity_at) const {
 
 ConductanceValue conductance(const ConductanceLaw& law, double pressure, double viscosity) {
   assert(viscosity > 0);
-  using Variable = core::Dual<double, Eigen::Array2d>;  // derivatives with respect to pressure and viscosity
-  const Variable p{std::max(pressure, 0.0), {1, 0}}, eta{viscosity, {0, 1}};
+  const core::Dual<double> p{std::max(pressure, 0.0), 0}, eta{viscosity, 1};
   const auto [h, derivative] = std::visit([&](const auto& l) { return l(p, eta); }, law);
   const auto* table = std::get_if<TableConductance>(&law);
-  return {h, derivative[0], derivative[1], table && table->clamps(p.value, viscosity)};
+  return {h, derivative, table && table->clamps(p.value, viscosity)};
 }
 
 double highest(const ConductanceLaw& law) {

@@ -85,10 +85,9 @@ struct TableConductance {
 using ConductanceLaw =
     std::variant<ConstantConductance, PressureViscosityConductance, TableConductance, GapConductance>;
 
-/// h and its derivatives.
+/// h and its derivative.
 struct ConductanceValue {
   double h;              ///< W/m2/K
-  double dh_dp;          ///< W/m2/K/Pa
   double dh_deta;        ///< W/m2/K/(Pa.s)
   bool clamped = false;  ///< the pressure or the viscosity lies beyond the ends of a table
 };

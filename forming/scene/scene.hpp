@@ -202,8 +202,8 @@ struct Timing {
 
 /// A stage in the machine's timing.
 struct TimedStage {
-  double from;  ///< deg since the start of the first stage's cycle; beyond 360 in the next cycle
-  std::string from_event, until_event;  ///< empty where the stage begins or ends at none
+  double from;              ///< deg since the start of the first stage's cycle; beyond 360 in the next cycle
+  std::string until_event;  ///< empty where the stage ends at none
 };
 
 struct Stage {

@@ -20,14 +20,14 @@ namespace {
 
 constexpr int terms = 6;           ///< of a complete quadratic polynomial
 constexpr std::size_t fewest = 5;  ///< cells of a patch; a smaller one is extended by the neighbouring cells
+constexpr int n = 4;               ///< components of a rate of deformation
 /// A derivative counts as zero where the field changes by less than this part of its largest value over the body.
 constexpr double rounding = 1e-9;
 
-template <int n>
-using Values = Eigen::Matrix<double, n, 1>;
+template <int size>
+using Values = Eigen::Matrix<double, size, 1>;
 
 /// Quadratic polynomial that fits the samples of the derivative in the cells around a vertex by least squares.
-template <int n>
 struct Patch {
   Point centre;
   double size = 1;
@@ -48,7 +48,6 @@ struct BatchNodes {
   }
 };
 
-template <int n>
 struct Sample {
   Point at;
   Values<n> value;
@@ -73,17 +72,15 @@ void set_patch_cells(const Mesh& mesh, const Fans& fans, Index vertex, std::vect
   }
 }
 
-template <int n>
-Patch<n> fit(const Point& centre, const std::vector<Index>& cells,
-             const std::vector<std::array<Sample<n>, 3>>& samples) {
-  Patch<n> patch{centre, 0, {}};
+Patch fit(const Point& centre, const std::vector<Index>& cells, const std::vector<std::array<Sample, 3>>& samples) {
+  Patch patch{centre, 0, {}};
   for (const Index cell : cells)
     for (const auto& sample : samples[cell]) patch.size = std::max(patch.size, (sample.at - centre).norm());
   Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();  // its lower triangle
   Eigen::Matrix<double, terms, n> load = Eigen::Matrix<double, terms, n>::Zero();
   for (const Index cell : cells)
     for (const auto& sample : samples[cell]) {
-      const Values<terms> basis = Patch<n>::basis((sample.at - centre) / patch.size);
+      const Values<terms> basis = Patch::basis((sample.at - centre) / patch.size);
       for (int j = 0; j < terms; ++j)
         for (int i = j; i < terms; ++i) normal(i, j) += basis[i] * basis[j];
       for (int c = 0; c < n; ++c) load.col(c) += sample.value[c] * basis;
@@ -95,15 +92,14 @@ Patch<n> fit(const Point& centre, const std::vector<Index>& cells,
 
 /// The recovered derivative at the nodes: at a vertex from its patch, at a mid-side node the mean from both ends'
 /// patches.
-template <int n>
-std::vector<Values<n>> recovered(const Mesh& mesh, const std::vector<std::array<Sample<n>, 3>>& samples) {
+std::vector<Values<n>> recovered(const Mesh& mesh, const std::vector<std::array<Sample, 3>>& samples) {
   const Fans fans = fans_of(mesh);
-  std::vector<Patch<n>> patches;
+  std::vector<Patch> patches;
   patches.reserve(mesh.vertex_count());
   std::vector<Index> cells;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     set_patch_cells(mesh, fans, v, cells);
-    patches.push_back(fit<n>(mesh.nodes[v], cells, samples));
+    patches.push_back(fit(mesh.nodes[v], cells, samples));
   }
   std::vector<Values<n>> nodal(mesh.nodes.size());
   for (Index v = 0; v < mesh.vertex_count(); ++v) nodal[v] = patches[v].at(mesh.nodes[v]);
@@ -140,112 +136,6 @@ void set_point(const core::CellShapes<6, points>& shapes, int q, const core::Nod
   core::map_point(shapes, q, x, at.mapped);
   core::set_gradients(shapes, q, at.mapped, at.gradient);
 }
-
-/// The derivative at the three points of the rule of degree 2, where derivatives of quadratic cells are most accurate
-/// (J. Barlow, Int. J. Numer. Meth. Engng 10 (1976) 243-251).
-template <int n, class Derivative>
-std::vector<std::array<Sample<n>, 3>> sampled(const Mesh& mesh, const Derivative& derivative) {
-  static const core::CellShapes<6, 3> shapes = shapes_at<3>(core::triangle_rule(2));
-  std::vector<std::array<Sample<n>, 3>> samples(mesh.cells().size());
-  const Index count = mesh.cell_count();
-  for (Index batch = 0; batch < core::batch_count(count); ++batch) {
-    const BatchNodes nodes(mesh, batch);
-    const auto values = derivative.values(nodes);
-    for (int q = 0; q < 3; ++q) {
-      BatchPoint at;
-      set_point(shapes, q, nodes.position, at);
-      std::array<VectorizedArray, n> value;
-      derivative.set(shapes, q, at, values, value);
-      for (int lane = 0; lane < core::filled_lanes(count, batch); ++lane) {
-        Sample<n>& sample = samples[batch * core::batch_size + lane][q];
-        sample.at = {at.mapped.position[0][lane], at.mapped.position[1][lane]};
-        for (int c = 0; c < n; ++c) sample.value[c] = value[c][lane];
-      }
-    }
-  }
-  return samples;
-}
-
-/// The sum of n squares, in pairs of every second one.
-template <int n>
-VectorizedArray squared_norm(const std::array<VectorizedArray, n>& x) {
-  if constexpr (n == 2) return x[0] * x[0] + x[1] * x[1];
-  return (x[0] * x[0] + x[2] * x[2]) + (x[1] * x[1] + x[3] * x[3]);
-}
-
-/// Adds the integrals over a batch of cells of the squared difference of `derivative` from the recovered one, and of
-/// the latter's square, to `error`.
-template <int n, class Derivative>
-double add_batch(const Mesh& mesh, core::Geometry geometry, const std::vector<Values<n>>& nodal, Index batch,
-                 const Derivative& derivative, DerivativeError& error) {
-  static const auto& rule = core::triangle_rule(5);
-  static const core::CellShapes<6, 7> shapes = shapes_at<7>(rule);
-  const core::Depth depth(geometry);
-  const BatchNodes nodes(mesh, batch);
-  const auto values = derivative.values(nodes);
-  std::array<std::array<VectorizedArray, 6>, n> better_at;
-  for (int i = 0; i < 6; ++i)
-    for (int c = 0; c < n; ++c)
-      for (int lane = 0; lane < core::batch_size; ++lane) better_at[c][i][lane] = nodal[nodes.index[i][lane]][c];
-  std::array<VectorizedArray, 7> difference, square, volume;
-  for (int q = 0; q < 7; ++q) {
-    BatchPoint at;
-    set_point(shapes, q, nodes.position, at);
-    std::array<VectorizedArray, n> found, better;
-    derivative.set(shapes, q, at, values, found);
-    for (int c = 0; c < n; ++c) {
-      core::interpolate(shapes.value, q, better_at[c], better[c]);
-      found[c] = better[c] - found[c];
-    }
-    depth.set(at.mapped.position[0], volume[q]);
-    volume[q] = (rule[q].weight * at.mapped.determinant) * volume[q];
-    difference[q] = volume[q] * squared_norm<n>(found);
-    square[q] = volume[q] * squared_norm<n>(better);
-  }
-  double whole = 0;
-  const Index count = mesh.cell_count();
-  for (int lane = 0; lane < core::filled_lanes(count, batch); ++lane)
-    for (int q = 0; q < 7; ++q) {
-      error.cell[batch * core::batch_size + lane] += difference[q][lane];
-      error.derivative += square[q][lane];
-      whole += volume[q][lane];
-    }
-  return whole;
-}
-
-/// The difference of a derivative from the recovered one. `largest` is the field's largest value.
-template <int n, class Derivative>
-DerivativeError estimate(const Mesh& mesh, core::Geometry geometry, double largest, const Derivative& derivative) {
-  const auto nodal = recovered<n>(mesh, sampled<n>(mesh, derivative));
-  DerivativeError error{Eigen::VectorXd::Zero(mesh.cell_count())};
-  double volume = 0;
-  for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch)
-    volume += add_batch<n>(mesh, geometry, nodal, batch, derivative, error);
-  if (error.derivative <= volume * std::pow(rounding * largest / extent(mesh), 2))
-    return {Eigen::VectorXd::Zero(mesh.cell_count())};
-  error.cell = error.cell.cwiseSqrt();
-  error.derivative = std::sqrt(error.derivative);
-  return error;
-}
-
-/// Gradient of a nodal field.
-struct Gradient {
-  const Eigen::VectorXd& nodal;
-
-  core::UnknownValues<6> values(const BatchNodes& nodes) const {
-    core::UnknownValues<6> at;
-    core::gather(nodal.data(), nodes.index, at);
-    return at;
-  }
-  template <int points>
-  void set(const core::CellShapes<6, points>&, int, const BatchPoint& at, const core::UnknownValues<6>& field,
-           std::array<VectorizedArray, 2>& gradient) const {
-    gradient = {};
-    for (int i = 0; i < 6; ++i)
-      for (int a = 0; a < core::dim; ++a) gradient[a] += field[i] * at.gradient[i][a];
-  }
-};
-
 /// Rate of deformation of nodal velocities: rr, zz, sqrt 2 rz (which stands for rz and zr), hoop.
 struct Rate {
   core::Geometry geometry;
@@ -258,7 +148,7 @@ struct Rate {
   }
   template <int points>
   void set(const core::CellShapes<6, points>& shapes, int q, const BatchPoint& at, const core::NodeVectors& v,
-           std::array<VectorizedArray, 4>& rate) const {
+           std::array<VectorizedArray, n>& rate) const {
     const bool round = geometry == core::Geometry::axisymmetric;
     rate = {};
     const VectorizedArray hoop = round ? 1 / at.mapped.position[0] : VectorizedArray{};
@@ -272,14 +162,90 @@ struct Rate {
   }
 };
 
-}  // namespace
-
-DerivativeError gradient_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal) {
-  return estimate<core::dim>(mesh, geometry, nodal.lpNorm<Eigen::Infinity>(), Gradient{nodal});
+/// The derivative at the three points of the rule of degree 2, where derivatives of quadratic cells are most accurate
+/// (J. Barlow, Int. J. Numer. Meth. Engng 10 (1976) 243-251).
+std::vector<std::array<Sample, 3>> sampled(const Mesh& mesh, const Rate& rate) {
+  static const core::CellShapes<6, 3> shapes = shapes_at<3>(core::triangle_rule(2));
+  std::vector<std::array<Sample, 3>> samples(mesh.cells().size());
+  const Index count = mesh.cell_count();
+  for (Index batch = 0; batch < core::batch_count(count); ++batch) {
+    const BatchNodes nodes(mesh, batch);
+    const auto values = rate.values(nodes);
+    for (int q = 0; q < 3; ++q) {
+      BatchPoint at;
+      set_point(shapes, q, nodes.position, at);
+      std::array<VectorizedArray, n> value;
+      rate.set(shapes, q, at, values, value);
+      for (int lane = 0; lane < core::filled_lanes(count, batch); ++lane) {
+        Sample& sample = samples[batch * core::batch_size + lane][q];
+        sample.at = {at.mapped.position[0][lane], at.mapped.position[1][lane]};
+        for (int c = 0; c < n; ++c) sample.value[c] = value[c][lane];
+      }
+    }
+  }
+  return samples;
 }
 
+/// The sum of squares, in pairs of every second one.
+VectorizedArray squared_norm(const std::array<VectorizedArray, n>& x) {
+  return (x[0] * x[0] + x[2] * x[2]) + (x[1] * x[1] + x[3] * x[3]);
+}
+
+/// Adds the integrals over a batch of cells of the squared difference of a rate from the recovered one, and of
+/// the latter's square, to `error`.
+double add_batch(const Mesh& mesh, const std::vector<Values<n>>& nodal, Index batch, const Rate& rate,
+                 DerivativeError& error) {
+  static const auto& rule = core::triangle_rule(5);
+  static const core::CellShapes<6, 7> shapes = shapes_at<7>(rule);
+  const core::Depth depth(rate.geometry);
+  const BatchNodes nodes(mesh, batch);
+  const auto values = rate.values(nodes);
+  std::array<std::array<VectorizedArray, 6>, n> better_at;
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < n; ++c)
+      for (int lane = 0; lane < core::batch_size; ++lane) better_at[c][i][lane] = nodal[nodes.index[i][lane]][c];
+  std::array<VectorizedArray, 7> difference, square, volume;
+  for (int q = 0; q < 7; ++q) {
+    BatchPoint at;
+    set_point(shapes, q, nodes.position, at);
+    std::array<VectorizedArray, n> found, better;
+    rate.set(shapes, q, at, values, found);
+    for (int c = 0; c < n; ++c) {
+      core::interpolate(shapes.value, q, better_at[c], better[c]);
+      found[c] = better[c] - found[c];
+    }
+    depth.set(at.mapped.position[0], volume[q]);
+    volume[q] = (rule[q].weight * at.mapped.determinant) * volume[q];
+    difference[q] = volume[q] * squared_norm(found);
+    square[q] = volume[q] * squared_norm(better);
+  }
+  double whole = 0;
+  const Index count = mesh.cell_count();
+  for (int lane = 0; lane < core::filled_lanes(count, batch); ++lane)
+    for (int q = 0; q < 7; ++q) {
+      error.cell[batch * core::batch_size + lane] += difference[q][lane];
+      error.derivative += square[q][lane];
+      whole += volume[q][lane];
+    }
+  return whole;
+}
+
+}  // namespace
+
 DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity) {
-  return estimate<4>(mesh, geometry, velocity.lpNorm<Eigen::Infinity>(), Rate{geometry, velocity});
+  const Rate rate{geometry, velocity};
+  const auto nodal = recovered(mesh, sampled(mesh, rate));
+  DerivativeError error{Eigen::VectorXd::Zero(mesh.cell_count())};
+  double volume = 0;
+  for (Index batch = 0; batch < core::batch_count(mesh.cell_count()); ++batch)
+    volume += add_batch(mesh, nodal, batch, rate, error);
+  // Zero where the field changes by round-off over the body.
+  const double largest = velocity.lpNorm<Eigen::Infinity>();
+  if (error.derivative <= volume * std::pow(rounding * largest / extent(mesh), 2))
+    return {Eigen::VectorXd::Zero(mesh.cell_count())};
+  error.cell = error.cell.cwiseSqrt();
+  error.derivative = std::sqrt(error.derivative);
+  return error;
 }
 
 }  // namespace parison::remesh

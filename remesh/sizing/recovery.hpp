@@ -14,9 +14,6 @@ struct DerivativeError {
   double relative() const { return derivative > 0 ? cell.norm() / derivative : 0; }
 };
 
-/// Error of the gradient of a nodal field.
-DerivativeError gradient_error(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& nodal);
-
 /// Error of the rate of deformation tensor of nodal velocities, core::dim values for each node.
 DerivativeError rate_error(const core::Mesh& mesh, core::Geometry geometry, const Eigen::VectorXd& velocity);
 

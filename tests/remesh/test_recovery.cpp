@@ -65,6 +65,14 @@ Eigen::VectorXd galerkin(const Mesh& mesh, Geometry geometry, const Field& field
   return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(load);
 }
 
+/// The estimate of a velocity with this component alone: its rate of deformation is the gradient, with half the square
+/// of the part across the component; across the axis there is the hoop's besides.
+DerivativeError estimate(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal, int component = 1) {
+  Eigen::VectorXd velocity = Eigen::VectorXd::Zero(2 * mesh.node_count());
+  for (Index n = 0; n < mesh.node_count(); ++n) velocity[2 * n + component] = nodal[n];
+  return rate_error(mesh, geometry, velocity);
+}
+
 /// Root of the integral of the gradient's squared error over each cell.
 Eigen::VectorXd true_error(const Mesh& mesh, Geometry geometry, const Eigen::VectorXd& nodal, const Field& field) {
   Eigen::VectorXd error = Eigen::VectorXd::Zero(mesh.cell_count());
@@ -100,7 +108,10 @@ Mesh quarter_ring(double size) {
 
 double effectivity(const Mesh& mesh, Geometry geometry) {
   const Eigen::VectorXd nodal = galerkin(mesh, geometry, smooth());
-  return gradient_error(mesh, geometry, nodal).cell.norm() / true_error(mesh, geometry, nodal, smooth()).norm();
+  // Both components count the square of the gradient one and a half times.
+  const double estimated =
+      std::hypot(estimate(mesh, geometry, nodal, 0).cell.norm(), estimate(mesh, geometry, nodal, 1).cell.norm());
+  return estimated / (std::sqrt(1.5) * true_error(mesh, geometry, nodal, smooth()).norm());
 }
 
 TEST(Recovery, the_effectivity_comes_within_one_percent_of_one_on_structured_meshes_and_two_on_others) {
@@ -120,7 +131,7 @@ TEST(Recovery, the_estimate_falls_with_the_square_of_the_edge) {
   std::vector<double> error;
   for (const Index n : {8, 16, 32}) {
     const Mesh mesh = distorted(n);
-    error.push_back(gradient_error(mesh, Geometry::planar, galerkin(mesh, Geometry::planar, smooth())).relative());
+    error.push_back(estimate(mesh, Geometry::planar, galerkin(mesh, Geometry::planar, smooth())).relative());
   }
   EXPECT_NEAR(std::log2(error[1] / error[2]), 2, 0.05);
 }
@@ -132,7 +143,7 @@ TEST(Recovery, a_quadratic_field_has_no_error) {
     const Point& x = mesh.nodes[n];
     nodal[n] = 3 * x[0] * x[0] - x[0] * x[1] + 2 * x[1];
   }
-  const DerivativeError error = gradient_error(mesh, Geometry::axisymmetric, nodal);
+  const DerivativeError error = estimate(mesh, Geometry::axisymmetric, nodal);
   EXPECT_LT(error.relative(), 1e-9);
   EXPECT_GT(error.derivative, 1);
 }

@@ -7,6 +7,7 @@
 
 #include "core/solid/hex_geometry.hpp"
 #include "forming/solid/flow/solid_flow.hpp"
+#include "forming/solid/flow/surface_loads.hpp"
 #include "solid/boundary_faces.hpp"
 
 namespace parison::tests {
@@ -157,6 +158,34 @@ inline flow::SolidGlass glass_of(core::HexMesh mesh, const flow::Material& mater
   glass.cell_mass = flow::masses_by_volume(material, mesh, glass.temperature);
   glass.mesh = std::move(mesh);
   return glass;
+}
+
+/// Velocities, three for each node, m/s, and pressures, four for each cell, Pa, of glass at an instant.
+struct SolidVelocity {
+  Eigen::VectorXd velocity, pressure;
+  int solutions = 0;  ///< for the corrections of the pressure
+};
+
+/// Without tools; `expansion` is div v of each cell, 1/s.
+inline SolidVelocity solve_instant(const flow::SolidProblem& problem, flow::FlowMatrix& matrix,
+                                   const flow::SolidGlass& glass, double expansion = 0) {
+  matrix.assemble(problem, glass.mesh, glass.temperature);
+  matrix.factorise();
+  const Eigen::VectorXd force = flow::pressure_forces(problem, glass.mesh) +
+                                flow::surface_tension_forces(problem, glass.mesh) +
+                                matrix.weight(problem.gravity, glass.cell_mass);
+  Eigen::VectorXd wanted(4 * glass.mesh.cell_count());
+  for (Index cell = 0; cell < glass.mesh.cell_count(); ++cell)
+    wanted.segment<4>(4 * cell) = expansion * matrix.moment(cell);
+  SolidVelocity result{{}, Eigen::VectorXd::Zero(wanted.size())};
+  for (double first = 0, change = 1; change > 1e-10 * first && result.solutions < 30; ++result.solutions) {
+    result.velocity = matrix.solve(force, result.pressure, wanted);
+    const Eigen::VectorXd corrected = matrix.corrected_pressure(result.velocity, result.pressure, wanted);
+    change = (corrected - result.pressure).norm();
+    first = std::max({first, change, corrected.norm()});
+    result.pressure = corrected;
+  }
+  return result;
 }
 
 }  // namespace parison::tests

@@ -32,7 +32,7 @@ TEST(SolidPatch, CellsOfAnyShapeStretchEvenlyUnderAnEvenTraction) {
   for (int axis = 0; axis < 3; ++axis) problem.planes.push_back(plane_of(glass.mesh, Vector3::Unit(axis)));
   problem.pressures = {{faces_where(glass.mesh, [](const Vector3& x) { return x[2] > 10e-3 - 1e-9; }), -traction}};
   flow::FlowMatrix matrix(glass.mesh, problem.planes, {});
-  const auto result = flow::solve_instant(problem, matrix, glass);
+  const auto result = solve_instant(problem, matrix, glass);
   Eigen::VectorXd exact(result.velocity.size());
   for (Index n = 0; n < glass.mesh.node_count(); ++n) {
     const Vector3& x = glass.mesh.nodes[n];
@@ -56,8 +56,7 @@ TEST(SolidPatch, ADensityThatFallsSwellsTheBoxEvenly) {
   for (int axis = 0; axis < 3; ++axis) problem.planes.push_back(plane_of(glass.mesh, Vector3::Unit(axis)));
   flow::FlowMatrix matrix(glass.mesh, problem.planes, {});
   const double expansion = 0.03;
-  const auto result =
-      flow::solve_instant(problem, matrix, glass, Eigen::VectorXd::Constant(glass.mesh.cell_count(), expansion));
+  const auto result = solve_instant(problem, matrix, glass, expansion);
   Eigen::VectorXd exact(result.velocity.size());
   for (Index n = 0; n < glass.mesh.node_count(); ++n) exact.segment<3>(3 * n) = expansion / 3 * glass.mesh.nodes[n];
   expect_at_most("velocity of a box that swells", difference(result.velocity, exact), 1e-9);
@@ -77,7 +76,7 @@ TEST(SolidPatch, PlanesAtAnyAngleCarryTheSameGlass) {
   for (int axis = 0; axis < 3; ++axis) problem.planes.push_back(plane_of(glass.mesh, turn.col(axis)));
   problem.pressures = {{faces_where(glass.mesh, [](const Vector3& x) { return x[2] > 10e-3 - 1e-9; }), -traction}};
   flow::FlowMatrix matrix(glass.mesh, problem.planes, {});
-  const auto result = flow::solve_instant(problem, matrix, glass);
+  const auto result = solve_instant(problem, matrix, glass);
   Eigen::VectorXd exact(result.velocity.size());
   for (Index n = 0; n < glass.mesh.node_count(); ++n) {
     const Vector3& x = glass.mesh.nodes[n];
@@ -108,7 +107,7 @@ std::pair<double, double> duct(Index n, double a, double b) {
                               })});
   }
   flow::FlowMatrix matrix(glass.mesh, problem.planes, problem.fixed);
-  const auto result = flow::solve_instant(problem, matrix, glass);
+  const auto result = solve_instant(problem, matrix, glass);
   double flux = 0;
   for (const core::HexFace& face : faces_where(glass.mesh, [](const Vector3& x) { return x[2] < 1e-9; })) {
     const auto nodes = core::face_node_numbers(glass.mesh, face);

@@ -31,7 +31,7 @@ TEST(SolidShell, SpeedOfASphereIsRightAtTheOrderOfTheElement) {
   for (const Index n : {1, 2, 4}) {
     Shell shell(n, n);
     flow::FlowMatrix matrix(shell.glass.mesh, shell.problem.planes, {});
-    const auto result = flow::solve_instant(shell.problem, matrix, shell.glass);
+    const auto result = solve_instant(shell.problem, matrix, shell.glass);
     const double speed = result.velocity.head<3>().norm(), outside = result.velocity.tail<3>().norm();
     error = std::max(std::abs(speed / 4.588554720e-3 - 1), std::abs(outside / 2.715121136e-3 - 1));
     if (last > 0) order = std::log2(last / error);
@@ -84,7 +84,7 @@ TEST(SolidShell, ATubeWithAColdSkinWidensAsExactly) {
         return d == 0 ? 1 : std::pow(10, d * std::exp(-(outer - x.head<2>().norm()) / 0.6e-3));
       };
       flow::FlowMatrix matrix(glass.mesh, problem.planes, {});
-      const auto result = flow::solve_instant(problem, matrix, glass);
+      const auto result = solve_instant(problem, matrix, glass);
       const double measured = 1e3 * result.velocity.head<3>().norm();
       fmt::print("decades {} layers {}:{} speed {:.8f} error {:+.4f} % solutions {}\n", decades, layers, ratio,
                  measured, 100 * (measured / speed - 1), result.solutions);
@@ -139,7 +139,7 @@ TEST(SolidShell, SurfaceTensionShrinksABallAsItsPressureDoes) {
     shell.problem.pressures.clear();
     shell.problem.open_faces = faces_where(shell.glass.mesh, [](const Vector3& x) { return x.norm() > outer - 1e-6; });
     flow::FlowMatrix matrix(shell.glass.mesh, shell.problem.planes, {});
-    const auto result = flow::solve_instant(shell.problem, matrix, shell.glass);
+    const auto result = solve_instant(shell.problem, matrix, shell.glass);
     const double suction = 2 * 0.3 / outer;
     error = std::abs(result.velocity.head<3>().norm() / (4.588554720e-3 * suction) - 1);
     EXPECT_LT(result.velocity[0] + result.velocity[1] + result.velocity[2], 0);

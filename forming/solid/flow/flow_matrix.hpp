@@ -39,7 +39,6 @@ class FlowMatrix {
   /// Integral of each pressure function over each cell, m3.
   const Eigen::Vector4d& moment(Index cell) const { return cells_[cell].moment; }
   double mean_viscosity(Index cell) const { return cells_[cell].mean_viscosity; }
-  const Numbering& numbering() const { return numbering_; }
   /// Floating-point operations of a factorisation.
   double operations() const { return factor_.operations(); }
 

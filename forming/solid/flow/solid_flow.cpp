@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
 #include "forming/solid/flow/surface_loads.hpp"
 #include "forming/solid/flow/tool_contact.hpp"
@@ -15,9 +14,7 @@ namespace parison::flow {
 namespace {
 
 constexpr double volume_tolerance = 1e-9;
-constexpr double divergence_tolerance = 1e-10;  ///< at an instant, of the largest rate of the pressures' corrections
 constexpr int most_solutions = 30, most_factors = 3;
-constexpr int most_halvings = 10;
 constexpr double steady_share = 0.25;  ///< largest change of a velocity that goes on
 constexpr double worst_volume = 0.1;   ///< of a cell, beyond which a step is too long
 constexpr double least_shape = 0.02;   ///< least Jacobian of a cell over that at its centre
@@ -88,27 +85,6 @@ Eigen::VectorXd masses_by_volume(const Material& material, const HexMesh& mesh, 
   return core::cell_volumes(mesh).cwiseProduct(densities(material, mesh, temperature));
 }
 
-SolidVelocity solve_instant(const SolidProblem& problem, FlowMatrix& matrix, const SolidGlass& glass,
-                            const Eigen::VectorXd& expansion) {
-  matrix.assemble(problem, glass.mesh, glass.temperature);
-  matrix.factorise();
-  const Eigen::VectorXd force = loads(problem, matrix, glass.mesh, glass.cell_mass);
-  const Index cells = glass.mesh.cell_count();
-  const Eigen::VectorXd wanted = integrals(matrix, expansion.size() ? expansion : Eigen::VectorXd::Zero(cells));
-  SolidVelocity result;
-  result.pressure = glass.pressure.size() == 4 * cells ? glass.pressure : Eigen::VectorXd::Zero(4 * cells);
-  for (double first = 0; result.solutions < most_solutions;) {
-    result.velocity = matrix.solve(force, result.pressure, wanted);
-    ++result.solutions;
-    const Eigen::VectorXd corrected = matrix.corrected_pressure(result.velocity, result.pressure, wanted);
-    const double change = (corrected - result.pressure).norm();
-    result.pressure = corrected;
-    first = std::max({first, change, corrected.norm()});
-    if (change <= divergence_tolerance * first) break;
-  }
-  return result;
-}
-
 namespace {
 
 /// Of a step, from one velocity to the next with the same matrix.
@@ -164,7 +140,7 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
     lacking = motion.lack();
     step.volume_error = motion.error(lacking);
     if (!(step.volume_error <= worst_volume)) return;
-    if (step.factors < most_factors && (step.points_in_doubt = contact.choose()) > 0) {
+    if (step.factors < most_factors && contact.choose() > 0) {
       contact.add_changes(matrix);
       matrix.factorise();
       ++step.factors;
@@ -204,12 +180,6 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
   glass.step_before = std::exchange(glass.last_step, dt);
   glass.pressure = std::move(motion.pressure);
   return step;
-}
-
-SolidStep advance_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt) {
-  for (int halvings = 0; halvings < most_halvings; ++halvings, dt *= 0.5)
-    if (SolidStep step = step_flow(problem, matrix, glass, dt); step.accepted) return step;
-  throw core::RunError("cells of the glass fold, however short the step");
 }
 
 double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {

@@ -7,16 +7,6 @@
 
 namespace parison::flow {
 
-/// Velocities and pressures of glass at an instant.
-struct SolidVelocity {
-  Eigen::VectorXd velocity;  ///< three for each node, m/s
-  Eigen::VectorXd pressure;  ///< four for each cell, as SolidGlass::pressure, Pa
-  int solutions = 0;         ///< for the corrections of the pressure
-};
-/// Without tools; `expansion` is div v of each cell, 1/s, empty for none.
-SolidVelocity solve_instant(const SolidProblem& problem, FlowMatrix& matrix, const SolidGlass& glass,
-                            const Eigen::VectorXd& expansion = {});
-
 /// What a step did.
 struct SolidStep {
   bool accepted = false;  ///< otherwise the glass is as before
@@ -24,7 +14,6 @@ struct SolidStep {
   double strain = 0;      ///< largest of a cell
   int factors = 0, solutions = 0;
   double volume_error = 0;           ///< of the worst cell, as a share of it
-  Index points_in_doubt = 0;         ///< of contact, that still press or pull without touching
   std::vector<Vector3> tool_forces;  ///< on each tool, N
 };
 
@@ -37,9 +26,6 @@ Eigen::VectorXd masses_by_volume(const Material& material, const HexMesh& mesh, 
 /// volumes are exact. Without velocities of a step before, those of the instant are found first, without tools.
 /// `matrix` belongs to the mesh and the conditions of the problem.
 SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
-
-/// The same, by halves of `dt` until the step is accepted; throws core::RunError where cells fold however short it is.
-SolidStep advance_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
 
 /// What a step may do.
 struct SolidStepLimits {

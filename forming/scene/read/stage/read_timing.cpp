@@ -106,7 +106,7 @@ void read_times(const CaseTable& table, const Scene& scene, Stage& stage) {
   const auto start = read_start(from, scene);
   if (until && table.find("duration"))
     core::refuse(*until, "a duration and an event were found, allowed is one of them");
-  if (start) stage.timed = TimedStage{*start, from ? from->text : "", until ? until->text : ""};
+  if (start) stage.timed = TimedStage{*start, until ? until->text : ""};
   if (!until) {
     stage.duration = core::positive(table.get("duration"), dimension::time);
     return;
