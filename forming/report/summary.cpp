@@ -87,8 +87,8 @@ void add_radiation(JsonWriter& json, const Scene& scene) {
     json.add("expected_error",
              choice->model.error > 0 ? choice->model.error : std::numeric_limits<double>::quiet_NaN());
     json.add("measured_scenes", static_cast<long>(calibration().radiation.scenes.size()));
-    json.add("measured_by", calibration().radiation.by.commit);
-    json.add("measured_on", calibration().radiation.by.date);
+    json.add("measured_by", calibration().radiation.commit);
+    json.add("measured_on", calibration().radiation.date);
   }
   json.close();
 }

@@ -31,25 +31,18 @@ double number(const JsonValue& object, const std::string& name) {
   return value;
 }
 
-MeasuredBy measured_by(const JsonValue& object) {
-  return {member(object, "commit").text, member(object, "date").text, member(object, "case").text};
-}
-
 ErrorLaw error_law(const JsonValue& object) {
   return {number(object, "at_draft"), number(object, "order")};
 }
 
-MeasuredScene measured_scene(const JsonValue& object) {
-  MeasuredScene scene{member(object, "case").text, member(object, "glass").text, number(object, "noise"), {}};
-  for (const JsonValue& model : member(object, "models").items)
-    scene.models[model.name] = {number(model, "thickness"), number(model, "heat"), number(model, "cost")};
-  return scene;
-}
-
 MeasuredRadiation measured_radiation(const JsonValue& object) {
   const auto& scenes = member(object, "scenes").items;
-  MeasuredRadiation measured{measured_by(object), {}};
-  for (const JsonValue& scene : scenes) measured.scenes.push_back(measured_scene(scene));
+  MeasuredRadiation measured{member(object, "commit").text, member(object, "date").text, {}};
+  for (const JsonValue& scene : scenes) {
+    auto& models = measured.scenes.emplace_back();
+    for (const JsonValue& model : member(scene, "models").items)
+      models[model.name] = {number(model, "thickness"), number(model, "heat"), number(model, "cost")};
+  }
   if (scenes.empty()) throw std::runtime_error(fmt::format("{}: \"scenes\" has no scene", source));
   return measured;
 }
@@ -65,11 +58,11 @@ Calibration read_calibration(const std::string& json) {
   const JsonValue &law = member(root, "error_law"), &parts = member(root, "model_parts");
   const JsonValue& shapes = member(root, "model_shapes");
   Calibration result;
-  result.error_law = {measured_by(law), error_law(member(law, "thickness")), error_law(member(law, "heat"))};
-  result.model_parts = {measured_by(parts), number(parts, "duration_s"), {}};
+  result.error_law = {error_law(member(law, "thickness")), error_law(member(law, "heat"))};
+  result.model_parts = {number(parts, "duration_s"), {}};
   for (const JsonValue& part : member(parts, "parts").items)
     result.model_parts.parts[part.name] = {number(part, "number"), number(part, "thickness"), number(part, "heat")};
-  result.model_shapes = {measured_by(shapes), number(shapes, "pressed_freedom"), number(shapes, "pressed_open_heat"),
+  result.model_shapes = {number(shapes, "pressed_freedom"), number(shapes, "pressed_open_heat"),
                          number(shapes, "heat_of_strain")};
   result.radiation = measured_radiation(member(root, "radiation_models"));
   return result;

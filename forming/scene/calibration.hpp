@@ -6,11 +6,6 @@
 
 namespace parison::forming {
 
-/// Where measured figures come from: the program that gave them, when, and on which case.
-struct MeasuredBy {
-  std::string commit, date, case_name;
-};
-
 /// An error that falls with the accuracy level: at_draft * 2^(-order * level), as a fraction.
 struct ErrorLaw {
   double at_draft, order;
@@ -29,33 +24,23 @@ struct MeasuredModel {
   double cost;             ///< CPU time of the run over that by `transfer`
 };
 
-/// Models of radiation in a scene, by their names in a case.
-struct MeasuredScene {
-  std::string case_name, glass;
-  double noise;  ///< what a change that means nothing does to the wall and the heat, the larger, as a share
-  std::map<std::string, MeasuredModel> models;
-};
-
-/// Models of radiation in all scenes in which they were measured.
+/// Models of radiation in all scenes in which they were measured, by their names in a case; with which program, when.
 struct MeasuredRadiation {
-  MeasuredBy by;
-  std::vector<MeasuredScene> scenes;
+  std::string commit, date;
+  std::vector<std::map<std::string, MeasuredModel>> scenes;
 };
 
 /// Figures measured on bundled cases, from which errors and the effects of model parts are estimated on others. They
 /// are in forming/scene/calibration.json, which `tools/bench --save` writes and the build takes into the program.
 struct Calibration {
   struct {
-    MeasuredBy by;
     ErrorLaw thickness, heat;  ///< of the wall in the mean, of the heat into the tools
   } error_law;
   struct {
-    MeasuredBy by;
     double duration;  ///< of the case, s
     std::map<std::string, MeasuredPart> parts;
   } model_parts;
   struct {
-    MeasuredBy by;
     double pressed_freedom;    ///< change of a wall between tools on both sides over that of a blown wall
     double pressed_open_heat;  ///< heat of its open surface likewise
     double heat_of_strain;     ///< change of the heat into the tools over the strain of glass that nothing forms

@@ -20,8 +20,8 @@ std::vector<RankedModel> ranked_models(const MeasuredRadiation& measured) {
     std::size_t scenes = 0;
   };
   std::map<std::string, Sum> sums;
-  for (const MeasuredScene& scene : measured.scenes)
-    for (const auto& [name, model] : scene.models) {
+  for (const auto& scene : measured.scenes)
+    for (const auto& [name, model] : scene) {
       Sum& sum = sums[name];
       sum.error = std::max({sum.error, model.thickness, model.heat});
       sum.log_cost += std::log(model.cost);
@@ -64,7 +64,7 @@ std::string describe(const RadiationChoice& choice) {
   if (choice.model.name == reference) return asked + ": no cheaper model that the case allows keeps it";
   return asked + fmt::format(": off by up to {:.2g} % of wall or heat against {} in {} measured scenes, by {} of {}",
                              100 * choice.model.error, reference, calibration().radiation.scenes.size(),
-                             calibration().radiation.by.commit, calibration().radiation.by.date);
+                             calibration().radiation.commit, calibration().radiation.date);
 }
 
 }  // namespace parison::forming
