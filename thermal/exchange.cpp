@@ -95,6 +95,13 @@ void add_contact_heat(const HeatSystem& system, double time, const std::vector<E
 
 }  // namespace
 
+std::vector<Index> edges_of_mid_nodes(const core::Mesh& mesh) {
+  std::vector<Index> edge(mesh.nodes.size(), -1);
+  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e)
+    edge[mesh.boundary_edges()[e].nodes[2]] = static_cast<Index>(e);
+  return edge;
+}
+
 void add_edges(HeatSystem& system, Index body_index, Index first_boundary_edge) {
   const BodyView& body = system.problem->bodies[body_index];
   const auto& rule = core::edge_rule(3);
@@ -189,13 +196,8 @@ ContactDerivatives linearise_contact(const HeatSystem& system, double time,
 void add_edges(StepMatrix& matrix, const HeatSystem& system, const Linearisation& derivatives, double step) {
   for (std::size_t e = 0; e < system.edges.size(); ++e) {
     const HeatEdge& edge = system.edges[e];
-    std::array<double, 9> local{};
-    for (int q = 0; q < 3; ++q)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j)
-          local[i * 3 + j] += step * derivatives.edges[e][q] * edge.shape[q][i] * edge.shape[q][j];
-    const Index clique = static_cast<Index>(system.cells.size()) + edge.boundary_edge;
-    add_clique(matrix, system, clique, 3, edge.unknowns.data(), local.data());
+    const auto& [a, b, c] = derivatives.edges[e];
+    add_edge(matrix, system, edge.boundary_edge, edge.unknowns, {step * a, step * b, step * c}, edge.shape);
   }
 }
 

@@ -67,6 +67,8 @@ struct SideTemperatures {
 };
 SideTemperatures side_temperatures(const HeatInterface& interface, const Eigen::VectorXd& temperature);
 
+/// The boundary edge of each mid-side node, -1 elsewhere.
+std::vector<Index> edges_of_mid_nodes(const core::Mesh& mesh);
 /// Adds a body's edges that exchange heat with the air; `first_boundary_edge` counts those of the bodies before it.
 void add_edges(HeatSystem& system, Index body, Index first_boundary_edge);
 /// Prepares the interface of the system's problem.

@@ -106,6 +106,17 @@ void refuse(const CaseNode& at, const std::string& message) {
                   at.file, static_cast<int>(at.line), at.key);
 }
 
+const CaseNode* member(const CaseNode& table, std::string_view name) {
+  if (table.kind == CaseNode::Kind::table)
+    for (const CaseNode& item : table.items)
+      if (item.name == name) return &item;
+  return nullptr;
+}
+
+CaseNode* member(CaseNode& table, std::string_view name) {
+  return const_cast<CaseNode*>(member(std::as_const(table), name));
+}
+
 CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node_(&node), keys_(std::move(keys)) {
   require_kind(node, CaseNode::Kind::table, fmt::format("a table with the keys {}", fmt::join(keys_, ", ")));
   for (const auto& item : node.items)
@@ -116,9 +127,7 @@ CaseTable::CaseTable(const CaseNode& node, std::vector<std::string> keys) : node
 
 const CaseNode* CaseTable::find(const std::string& key) const {
   assert(std::find(keys_.begin(), keys_.end(), key) != keys_.end());
-  for (const auto& item : node_->items)
-    if (item.name == key) return &item;
-  return nullptr;
+  return member(*node_, key);
 }
 
 const CaseNode& CaseTable::get(const std::string& key) const {

@@ -30,6 +30,10 @@ struct CaseNode {
   std::shared_ptr<const NamedQuantities> known;  ///< what its text may name; null where the case has no dimensions
 };
 
+/// The member of a table; null where it has none, and of what is no table.
+const CaseNode* member(const CaseNode& table, std::string_view name);
+CaseNode* member(CaseNode& table, std::string_view name);
+
 /// A case file as text with line numbers; nothing of it is interpreted.
 struct CaseFile {
   std::string path, directory;

@@ -3,31 +3,17 @@
 
 #include <algorithm>
 
+#include "core/case/given_file.hpp"
 #include "core/case/number.hpp"
 #include "core/case/text/case_text.hpp"
 
 namespace parison::core {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? "" : text.substr(first, last - first + 1);
-}
-
-std::vector<std::string> split(const std::string& path) {
+std::vector<std::string> words_of(const std::string& path) {
   std::vector<std::string> words;
-  for (std::size_t from = 0;;) {
-    const auto dot = path.find('.', from);
-    words.push_back(trimmed(path.substr(from, dot - from)));
-    if (dot == path.npos) return words;
-    from = dot + 1;
-  }
-}
-
-CaseNode* member(CaseNode& table, const std::string& name) {
-  for (auto& item : table.items)
-    if (item.name == name) return &item;
-  return nullptr;
+  for (const auto word : split(path, '.')) words.emplace_back(trimmed(word));
+  return words;
 }
 
 /// Names that pick an entry of a list of tables: its own, or without one those in its `tools`.
@@ -107,11 +93,11 @@ void override_value(CaseFile& file, const std::string& assignment) {
   const auto equals = assignment.find('=');
   CaseNode place;
   place.file = "--set";
-  place.key = trimmed(assignment.substr(0, equals));
-  const auto words = split(place.key);
+  place.key = trimmed(std::string_view(assignment).substr(0, equals));
+  const auto words = words_of(place.key);
   if (equals == assignment.npos || std::count(words.begin(), words.end(), ""))
     refuse(place, "allowed is KEY=VALUE such as tool.blank.temperature=\"480 degC\"");
-  const CaseNode value = parse_value(trimmed(assignment.substr(equals + 1)), place);
+  const CaseNode value = parse_value(std::string(trimmed(std::string_view(assignment).substr(equals + 1))), place);
   CaseNode& at = place_of(file, place, words);
   const std::string name = at.name;
   at = value;
@@ -125,7 +111,7 @@ std::string numbered_key(CaseFile file, const std::string& key) {
   place.key = key;
   CaseNode* at = &file.root;
   std::string numbered;
-  for (const std::string& word : split(key)) {
+  for (const std::string& word : words_of(key)) {
     CaseNode& next = step_down(*at, word, place, true);
     const bool is_entry = at->kind == CaseNode::Kind::list;
     numbered += (numbered.empty() ? "" : ".") + (is_entry ? fmt::format("{}", &next - at->items.data()) : word);
@@ -144,7 +130,7 @@ std::string repeated_key(CaseFile file, const std::vector<std::string>& assignme
   };
   std::vector<std::string> keys;  // by their words first: what has been replaced has no numbers
   for (const std::string& assignment : assignments) {
-    keys.push_back(trimmed(assignment.substr(0, assignment.find('='))));
+    keys.emplace_back(trimmed(std::string_view(assignment).substr(0, assignment.find('='))));
     for (std::size_t i = 0; i + 1 < keys.size(); ++i)
       if (replaces(keys.back(), keys[i])) return sentence(keys.back(), keys[i]);
   }
@@ -162,7 +148,7 @@ CaseNode value_of(CaseFile file, const std::string& key) {
   CaseNode place;
   place.file = file.path;
   place.key = key;
-  return place_of(file, place, split(key));
+  return place_of(file, place, words_of(key));
 }
 
 }  // namespace parison::core

@@ -45,14 +45,14 @@ std::string in_small_ascii(std::string_view text) {
   return small;
 }
 
-std::vector<std::string_view> split_at_commas(std::string_view text) {
+std::vector<std::string_view> split(std::string_view text, char sign) {
   constexpr std::size_t most = 1000;
   std::vector<std::string_view> parts;
   for (;;) {
-    const auto comma = text.find(',');
-    parts.push_back(parts.size() < most ? text.substr(0, comma) : text);
-    if (comma == text.npos || parts.size() > most) return parts;
-    text.remove_prefix(comma + 1);
+    const auto end = text.find(sign);
+    parts.push_back(parts.size() < most ? text.substr(0, end) : text);
+    if (end == text.npos || parts.size() > most) return parts;
+    text.remove_prefix(end + 1);
   }
 }
 

@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view text);
 /// A text with small letters for its capitals from A to Z.
 std::string in_small_ascii(std::string_view text);
 
-/// The parts of a text between its commas; the last has the rest where there are more than a thousand.
-std::vector<std::string_view> split_at_commas(std::string_view text);
+/// The parts of a text between its commas, or another sign; the last has the rest where there are more than a thousand.
+std::vector<std::string_view> split(std::string_view text, char sign = ',');
 
 }  // namespace parison::core

@@ -30,7 +30,7 @@ CsvTable read_csv(const std::string& path) {
   for (std::string_view line; lines.next(line);) {
     if (trimmed(line).empty()) continue;
     std::vector<std::string> cells;
-    for (const auto cell : split_at_commas(line)) cells.emplace_back(trimmed(cell));
+    for (const auto cell : split(line)) cells.emplace_back(trimmed(cell));
     if (table.heading.empty()) {
       table.heading = std::move(cells);
       table.heading_line = line;

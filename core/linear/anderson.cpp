@@ -16,6 +16,12 @@ VectorXd AndersonAcceleration::next(const VectorXd& x, const VectorXd& image) {
   return accelerated(image, residual);
 }
 
+VectorXd AndersonAcceleration::next_move(const VectorXd& update) {
+  if (residual_.size() > 0) add(image_ + (update - residual_), update - residual_);
+  residual_ = update;
+  return image_ = accelerated(update, update);
+}
+
 void AndersonAcceleration::add(const VectorXd& image_change, const VectorXd& residual_change) {
   if (image_change_.size() < depth_) {
     image_change_.push_back(image_change);

@@ -19,7 +19,10 @@ class AndersonAcceleration {
   /// Leaves the last ones aside, where G has changed.
   void forget() { *this = AndersonAcceleration(depth_); }
 
-  /// What `next` is made of: remembers by how much G(x) and G(x) - x changed; G(x) less what the changes explain of its
+  /// The move to the next x, from what G moves the present one by: the same without x itself.
+  Eigen::VectorXd next_move(const Eigen::VectorXd& update);
+
+  /// What both are made of: remembers by how much G(x) and G(x) - x changed; G(x) less what the changes explain of its
   /// residual, in a frame of the caller's.
   void add(const Eigen::VectorXd& image_change, const Eigen::VectorXd& residual_change);
   Eigen::VectorXd accelerated(const Eigen::VectorXd& image, const Eigen::VectorXd& residual) const;
@@ -27,7 +30,7 @@ class AndersonAcceleration {
  private:
   std::size_t depth_, added_ = 0;
   std::vector<Eigen::VectorXd> image_change_, residual_change_;
-  Eigen::VectorXd image_, residual_;  ///< the last ones
+  Eigen::VectorXd image_, residual_;  ///< the last ones; of moves the last move and update
 };
 
 }  // namespace parison::core

@@ -31,7 +31,7 @@ void follow_flow(const Scene& scene, const State& before, const StepResult& step
 void follow_forces(const Scene& scene, const State& after, std::vector<double>& peak_force) {
   for (const StageTool& tool : scene.stages[after.stage].tools) {
     const ToolState& body = after.tools[tool.tool];
-    if (std::holds_alternative<ForceMotion>(tool.motion) || body.velocity != 0)
+    if (tool.is_driven() || body.velocity != 0)
       peak_force[tool.tool] = std::max(peak_force[tool.tool], std::abs(body.force));
   }
 }

@@ -9,19 +9,13 @@
 namespace parison::forming {
 namespace {
 
-void add_time_beyond(const State& before, const State& state, Extreme& extreme) {
-  if (!extreme.was_beyond()) extreme.first_beyond = state.time;
-  extreme.seconds_beyond += state.time - before.time;
-}
-
 /// Whether glass touches a tool; without flow, where contact is not computed, whether the stage uses it.
 bool touches_glass(const Scene& scene, const State& state, Index tool) {
   if (scene.has_flow()) {
     const std::vector<Index>& touched = state.glass.contact_tool;
     return std::find(touched.begin(), touched.end(), tool) != touched.end();
   }
-  const auto& tools = scene.stages.at(state.stage).tools;
-  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& entry) { return entry.tool == tool; });
+  return scene.stages.at(state.stage).uses(tool);
 }
 
 /// Raises the hottest surfaces and lowers the coldest glass to those of a state.
@@ -31,13 +25,12 @@ void include(const State& state, Extremes& extremes) {
     const HottestPoint hottest = hottest_surface_point(state.tools[i]);
     Extreme& extreme = extremes.tools[i];
     if (hottest.temperature > extreme.temperature || std::isnan(extreme.temperature))
-      extreme.temperature = hottest.temperature, extreme.time = state.time, extreme.at = hottest.at;
+      extreme.set(hottest.temperature, state.time, hottest.at);
   }
   Eigen::Index coldest = 0;
   const double temperature = state.glass.temperature.minCoeff(&coldest);
   if (!(temperature >= extremes.glass.temperature))
-    extremes.glass.temperature = temperature, extremes.glass.time = state.time,
-    extremes.glass.at = state.glass.mesh.nodes[static_cast<std::size_t>(coldest)];
+    extremes.glass.set(temperature, state.time, state.glass.mesh.nodes[coldest]);
 }
 
 }  // namespace
@@ -55,9 +48,9 @@ void follow_extremes(const Scene& scene, const State& before, const State& state
   for (std::size_t i = 0; i < state.tools.size(); ++i)
     if (hottest_surface_point(state.tools[i]).temperature > flags.tool_surface_above &&
         touches_glass(scene, state, static_cast<Index>(i)))
-      add_time_beyond(before, state, extremes.tools[i]);
+      extremes.tools[i].add_beyond(state.time, state.time - before.time);
   if (flags.glass_below && state.glass.temperature.minCoeff() < *flags.glass_below)
-    add_time_beyond(before, state, extremes.glass);
+    extremes.glass.add_beyond(state.time, state.time - before.time);
 }
 
 }  // namespace parison::forming

@@ -19,6 +19,12 @@ struct Extreme {
   double seconds_beyond = 0;  ///< duration of all steps that ended beyond it; of a tool, touching glass
 
   bool was_beyond() const { return seconds_beyond > 0; }
+  /// A step that ended at such a time, s, beyond the limit, and took so long.
+  void add_beyond(double when, double duration) {
+    if (!was_beyond()) first_beyond = when;
+    seconds_beyond += duration;
+  }
+  void set(double found, double when, const Point& where) { temperature = found, time = when, at = where; }
 };
 
 /// What a run remembers of temperatures: the hottest contact surface of each tool, the coldest glass.

@@ -24,9 +24,7 @@ Eigen::VectorXd dilatation_load(const Problem& problem, const CellGeometry& geom
       const double volume = geometry.at(c / batch_size, q).volume[c % batch_size];
       for (int p = 0; p < 3; ++p) load[velocities + mesh.cells()[c][p]] -= linear[p] * volume;
     }
-  for (const auto& candidate : problem.candidates)
-    if (candidate.tied && !held_by_form(problem, candidate) && candidate.node < mesh.vertex_count())
-      load[velocities + candidate.node] = 0;
+  leave_out_gripped(problem, load);
   return load;
 }
 

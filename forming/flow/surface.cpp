@@ -9,13 +9,9 @@ namespace parison::flow {
 
 using core::dim;
 
-namespace {
-
 bool wholly_in_contact(const core::BoundaryEdge& edge, const std::vector<bool>& in_contact) {
   return std::all_of(edge.nodes.begin(), edge.nodes.end(), [&](Index node) { return in_contact[node]; });
 }
-
-}  // namespace
 
 std::vector<SurfaceEdge> surface_edges(const Problem& problem) {
   const auto& mesh = *problem.mesh;

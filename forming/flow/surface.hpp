@@ -18,6 +18,8 @@ struct SurfaceEdge {
 /// 15, 639-648; E. Baensch, 2001, Numer. Math. 88, 203-235); gas pressure is - int p n.w dA.
 std::vector<SurfaceEdge> surface_edges(const Problem& problem);
 
+bool wholly_in_contact(const core::BoundaryEdge& edge, const std::vector<bool>& in_contact);
+
 /// Load of surface tension and gas pressure, N, two per node, over the edges with at least one node out of contact.
 Eigen::VectorXd surface_load(const core::Mesh& mesh, const std::vector<SurfaceEdge>& edges,
                              const std::vector<bool>& in_contact);

@@ -214,11 +214,8 @@ void accumulate(const Scene& scene, const State& state, RemeshReason why, const 
 /// Nodes in contact with a tool that the stage takes away.
 std::vector<Index> nodes_left_by_tools(const Stage& stage, const State& state) {
   std::vector<Index> nodes;
-  const auto is_active = [&](Index tool) {
-    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& t) { return t.tool == tool; });
-  };
   for (Index n = 0; n < state.glass.mesh.node_count(); ++n)
-    if (state.glass.contact_tool[n] >= 0 && !is_active(state.glass.contact_tool[n])) nodes.push_back(n);
+    if (state.glass.contact_tool[n] >= 0 && !stage.uses(state.glass.contact_tool[n])) nodes.push_back(n);
   return nodes;
 }
 

@@ -142,15 +142,6 @@ double least_extent(const Scene& scene) {
 /// No wall that a mesh can have is thinner: share of the least extent of the glass.
 constexpr double thinnest_wall = 1e-4;
 
-/// Whether a stage moves a tool.
-bool is_moved(const Scene& scene, std::size_t tool) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
-    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) {
-      return one.tool == static_cast<Index>(tool) && !std::holds_alternative<std::monostate>(one.motion);
-    });
-  });
-}
-
 }  // namespace
 
 const Quantity* Quantities::find(const std::string& name) const {
@@ -186,7 +177,8 @@ std::vector<Quantity> possible_quantities(const Scene& scene) {
   if (scene.has_heat()) add("glass_mean", "degC", span), add("glass_skin", "degC", span);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     if (scene.has_heat()) add(heat_prefix + scene.tools[i].name, "J");
-    if (scene.has_flow() && is_moved(scene, i)) add(force_prefix + scene.tools[i].name, "N");
+    if (scene.has_flow() && has_moved_before(scene, static_cast<Index>(scene.stages.size()), static_cast<Index>(i)))
+      add(force_prefix + scene.tools[i].name, "N");
   }
   for (const Stage& stage : scene.stages)
     if (scene.has_flow() && stage.may_end_early()) add(time_prefix + stage.name, "s");

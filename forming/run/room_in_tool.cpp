@@ -80,12 +80,9 @@ std::string describe(const ExcessSize& excess, const std::string& tool) {
 std::string outgrown_tool(const Scene& scene, const State& state) {
   constexpr double most = 0.02;  // of the glass, beyond the distances that steps leave
   if (state.stage + 1 >= static_cast<Index>(scene.stages.size())) return "";
-  const auto is_in = [](const Stage& stage, Index tool) {
-    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
-  };
   const Stage &now = scene.stages[state.stage], &next = scene.stages[state.stage + 1];
   for (const StageTool& place : next.tools) {
-    if (is_in(now, place.tool)) continue;
+    if (now.uses(place.tool)) continue;
     const ExcessSize excess = excess_size(scene, state, place.tool);
     if (excess.length > most * core::size(scene.glass.profile))
       return fmt::format(

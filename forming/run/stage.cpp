@@ -122,8 +122,7 @@ bool begin_stage(RunInProgress& run, Index stage) {
 void update_motion(const Scene& scene, State& state) {
   const Stage& stage = scene.stages[state.stage];
   for (const StageTool& tool : stage.tools)
-    if (std::holds_alternative<ForceMotion>(tool.motion) && stage.end_speed &&
-        std::abs(state.tools[tool.tool].velocity) > *stage.end_speed)
+    if (tool.is_driven() && stage.end_speed && std::abs(state.tools[tool.tool].velocity) > *stage.end_speed)
       state.has_moved = true;
 }
 
@@ -155,7 +154,7 @@ void end_stage(RunInProgress& run, bool good) {
   const char* reason = end_reason(run, good);
   facts.stages.push_back(
       {run.scene.stages[state.stage].name, state.stage_start, state.time, reason, state.totals.work});
-  if (good && blows(run.scene.stages[state.stage])) facts.filling = mould_filling(run.scene, state);
+  if (good && run.scene.stages[state.stage].blows()) facts.filling = mould_filling(run.scene, state);
   if (good && !facts.stopped) look_at_driven_tools(run);
 }
 

@@ -133,15 +133,31 @@ std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
 
 }  // namespace
 
+bool Stage::uses(Index tool) const {
+  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& one) { return one.tool == tool; });
+}
+
+bool Stage::has_driven_tool() const {
+  return std::any_of(tools.begin(), tools.end(), [](const StageTool& one) { return one.is_driven(); });
+}
+
+bool Stage::blows() const {
+  return std::any_of(pressure.begin(), pressure.end(), [](const auto& one) { return one.second.max() > 0; });
+}
+
 const Body& body_of(const Scene& scene, Index body) {
   return body == 0 ? static_cast<const Body&>(scene.glass) : scene.tools[body - 1];
 }
 
 Index first_use(const Scene& scene, Index tool) {
-  const auto uses = [&](const Stage& stage) {
-    return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
-  };
+  const auto uses = [&](const Stage& stage) { return stage.uses(tool); };
   return static_cast<Index>(std::find_if(scene.stages.begin(), scene.stages.end(), uses) - scene.stages.begin());
+}
+
+bool has_moved_before(const Scene& scene, Index stage, Index tool) {
+  const auto moves = [&](const StageTool& entry) { return entry.tool == tool && entry.moves(); };
+  return std::any_of(scene.stages.begin(), scene.stages.begin() + stage,
+                     [&](const Stage& one) { return std::any_of(one.tools.begin(), one.tools.end(), moves); });
 }
 
 bool is_waiting(const Scene& scene, Index stage, Index tool) {

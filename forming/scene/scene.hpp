@@ -140,6 +140,9 @@ using Motion = std::variant<std::monostate, PositionMotion, ForceMotion>;
 struct StageTool {
   Index tool;     ///< index into Scene::tools
   Motion motion;  ///< monostate: stays at its present offset
+
+  bool moves() const { return !std::holds_alternative<std::monostate>(motion); }
+  bool is_driven() const { return std::holds_alternative<ForceMotion>(motion); }  ///< by a force
 };
 
 /// Names a part of the glass surface at the stage's start: what a tool touched at the end of the stage before, or from
@@ -227,6 +230,10 @@ struct Stage {
   std::optional<TrappedAirLaw> trapped_air;  ///< none: cavities are vented
 
   bool may_end_early() const { return end_speed || !ends.empty(); }
+  bool uses(Index tool) const;
+  bool has_driven_tool() const;
+  /// Whether a pressure above zero acts on the glass.
+  bool blows() const;
 };
 
 struct Probe {
@@ -301,6 +308,8 @@ struct Scene {
 const Body& body_of(const Scene& scene, Index body);
 /// The first stage that uses a tool; the number of stages where none does.
 Index first_use(const Scene& scene, Index tool);
+/// Whether a tool moves in a stage before this one.
+bool has_moved_before(const Scene& scene, Index stage, Index tool);
 /// Whether a tool, in a stage, still has the temperatures that it is to have at its first use.
 bool is_waiting(const Scene& scene, Index stage, Index tool);
 /// Flags of the boundaries of a body's outline that may touch other bodies.

@@ -27,8 +27,7 @@ double widening(const Scene& scene, const State& state) {
       const Tool& tool = scene.tools[entry.tool];
       const auto contact = contact_boundaries(tool);
       for (const core::Segment& segment : tool.profile.segments)
-        if (contact[segment.boundary_id] && std::holds_alternative<std::monostate>(entry.motion) &&
-            !tool.section.is_round())
+        if (contact[segment.boundary_id] && !entry.moves() && !tool.section.is_round())
           widest = std::max(widest, core::point_at(segment, 0)[0]);
     }
   return std::max(1.0, widest / glass);

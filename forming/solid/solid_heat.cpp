@@ -49,12 +49,6 @@ void surround_glass(const Scene& scene, const State& clock, const SolidState& so
   glass.exchange = {inside, outside, outside};
 }
 
-/// Whether a tool is in its place in the present stage.
-bool is_active(const Scene& scene, const State& clock, Index tool) {
-  const auto& tools = scene.stages[clock.stage].tools;
-  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& entry) { return entry.tool == tool; });
-}
-
 thermal::SolidBodyView tool_body(const Scene& scene, const State& clock, const SolidTool& tool) {
   const Body& data = scene.tools[tool.tool];
   auto body = thermal::solid_body(tool.mesh, tool.mass, *data.thermal);
@@ -107,7 +101,7 @@ core::SolidInterface solid_interface(const Scene& scene, const State& clock, con
     const SolidTool& tool = solid.tools[t];
     const auto law = std::find_if(scene.interfaces.begin(), scene.interfaces.end(),
                                   [&](const Interface& one) { return one.tool == tool.tool; });
-    if (law == scene.interfaces.end() || !is_active(scene, clock, tool.tool)) continue;
+    if (law == scene.interfaces.end() || !scene.stages[clock.stage].uses(tool.tool)) continue;
     const Vector3 offset = clock.tools[tool.tool].offset * Vector3::UnitZ();
     for (const Vector3& x : tool.mesh.nodes) moved[t].push_back(x + offset);
     std::vector<Index> touching;
@@ -173,11 +167,7 @@ std::string advance_solid_heat(const Scene& scene, const State& clock, double dt
   problem.interface = solid_interface(scene, clock, solid, moved);
   const auto points = contact::conductance_points(problem.interface.points);
   problem.law = thermal::in_space(interface_law(scene, points, clock.time, clamped), points);
-  thermal::StepOptions options;
-  options.tolerance = temperature_tolerance(scene);
-  constexpr double newton_fraction = 1e-3;
-  options.newton_tolerance = newton_fraction * options.tolerance;
-  options.initial_substep = solid.heat_substep;
+  const auto options = heat_options(scene, solid.heat_substep);
   auto outcome = thermal::advance(problem, clock.time, temperature, dt, options, matrix);
   if (!outcome.converged) return outcome.reason;
   solid.temperature_rate = (outcome.temperature.front() - solid.glass.temperature) / dt;

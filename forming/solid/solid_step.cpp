@@ -20,11 +20,6 @@ const StageTool* active_entry(const Scene& scene, const State& clock, Index tool
   return nullptr;
 }
 
-bool has_tool(const Stage& stage, Index tool) {
-  return std::any_of(stage.tools.begin(), stage.tools.end(),
-                     [&](const StageTool& entry) { return entry.tool == tool; });
-}
-
 /// The flow of the present stage over dt, s. Its tools are those of the solid in place; `places` says which.
 flow::SolidProblem flow_problem(const Scene& scene, const State& clock, const SolidState& solid, double dt,
                                 std::vector<std::size_t>& places) {
@@ -130,8 +125,8 @@ SolidOverlap deepest_overlap(const Scene& scene, const State& clock, const Solid
                              SolidTools tools) {
   SolidOverlap deepest;
   for (const SolidTool& tool : solid.tools) {
-    const bool was_there = stage > 0 && has_tool(scene.stages[stage - 1], tool.tool);
-    if (!has_tool(scene.stages[stage], tool.tool) || (tools == SolidTools::coming && was_there)) continue;
+    const bool was_there = stage > 0 && scene.stages[stage - 1].uses(tool.tool);
+    if (!scene.stages[stage].uses(tool.tool) || (tools == SolidTools::coming && was_there)) continue;
     const Vector3 offset = clock.tools[tool.tool].offset * Vector3::UnitZ();
     for (const core::HexFace& face : solid.faces)
       for (const Index node : core::face_node_numbers(solid.glass.mesh, face)) {

@@ -22,10 +22,6 @@ bool differ(const Scene& scene, double first, double second) {
   return std::abs(second - first) > same_temperature * temperature_range(scene).span();
 }
 
-bool is_active(const Stage& stage, Index tool) {
-  return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& t) { return t.tool == tool; });
-}
-
 /// Cells for which a mesh has room: a layer of `wanted` edges that grow from there has a few cells for each.
 double least_edge(const Scene& scene, const Body& body) {
   constexpr double cells_per_edge = 6;
@@ -80,7 +76,7 @@ thermal::SkinHistory contact_history(const Scene& scene, const Interface& interf
   const double swabbing = scene.tools[interface.tool].swabbing, h = swabbing * contact::highest(interface.law);
   for (Index s = 0; s <= last_stage; ++s) {
     const Stage& stage = scene.stages[s];
-    if (is_active(stage, interface.tool))
+    if (stage.uses(interface.tool))
       add_pressed_intervals(stage, {h, other}, swabbing * lowest(scene, interface), history);
     else
       add_interval(history, {stage.duration, {0, other}, {0, other}});

@@ -113,7 +113,7 @@ double time_to_rest(const Scene& scene, const State& state) {
   if (!stage.end_speed || !state.has_moved) return std::numeric_limits<double>::infinity();
   double latest = -std::numeric_limits<double>::infinity();
   for (const StageTool& tool : stage.tools) {
-    if (!std::holds_alternative<ForceMotion>(tool.motion)) continue;
+    if (!tool.is_driven()) continue;
     const ToolState& body = state.tools[tool.tool];
     const double excess = std::log(std::abs(body.velocity) / *stage.end_speed);  // in the middle of the last step
     if (excess <= 0 && body.slowing <= 0) continue;

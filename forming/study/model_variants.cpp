@@ -46,11 +46,6 @@ struct Parts {
 /// Names of the materials, which the scene itself does not keep.
 void find_materials(Parts& parts) {
   const auto file = read_case(parts.scene.file, parts.scene.overrides);
-  const auto member = [](const core::CaseNode& node, const std::string& name) -> const core::CaseNode* {
-    for (const auto& item : node.items)
-      if (item.name == name) return &item;
-    return nullptr;
-  };
   const auto material = [&](const core::CaseNode& body) {
     const auto* item = member(body, "material");
     return item ? item->text : "";

@@ -16,6 +16,10 @@ TEST(AndersonAcceleration, an_iteration_that_diverges_in_two_directions_converge
   Eigen::VectorXd x = Eigen::VectorXd::Zero(20);
   for (int i = 0; i < 4; ++i) x = iteration.next(x, map(x));
   EXPECT_LT((x - exact).norm(), 1e-3 * exact.norm());
+  AndersonAcceleration by_moves;
+  Eigen::VectorXd same = Eigen::VectorXd::Zero(20);
+  for (int i = 0; i < 4; ++i) same += by_moves.next_move(map(same) - same);
+  EXPECT_LT((same - x).norm(), 1e-9 * x.norm());
 }
 
 TEST(AndersonAcceleration, one_iteration_is_the_plain_one_and_a_map_that_repeats_itself_is_kept) {

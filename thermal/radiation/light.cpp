@@ -101,9 +101,7 @@ void assemble_surface(const Light& light, int group, const HeatSystem& system, I
           light.coefficient(group, edge) * edge.area[q] * shape * shape.transpose();
     }
   if (!light.contacts.empty()) {
-    std::vector<Index> edge_of(mesh.nodes.size(), -1);  // by mid-side node
-    for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e)
-      edge_of[mesh.boundary_edges()[e].nodes[2]] = static_cast<Index>(e);
+    const std::vector<Index> edge_of = edges_of_mid_nodes(mesh);
     for (std::size_t i = 0; i < light.contacts.size(); ++i) {
       const LightContact& contact = light.contacts[i];
       local[edge_of[system.problem->interface[i].slave_nodes[2]]] +=

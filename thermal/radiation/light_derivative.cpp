@@ -141,13 +141,8 @@ void assemble_light(StepMatrix& matrix, const Light& light, const HeatSystem& sy
   add_cells(matrix, light, system, derivatives, step);
   for (std::size_t e = 0; e < light.edges.size(); ++e) {
     const LightEdge& edge = light.edges[e];
-    std::array<double, 9> local{};
-    for (int q = 0; q < 3; ++q)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j)
-          local[i * 3 + j] += step * derivatives.opaque_edge[e][q] * edge.shape[q][i] * edge.shape[q][j];
-    add_clique(matrix, system, static_cast<Index>(system.cells.size()) + edge.boundary_edge, 3, edge.temperature.data(),
-               local.data());
+    const auto& [a, b, c] = derivatives.opaque_edge[e];
+    add_edge(matrix, system, edge.boundary_edge, edge.temperature, {step * a, step * b, step * c}, edge.shape);
   }
   Eigen::ArrayXd master = derivatives.opaque_master;
   for (const Eigen::ArrayXd& group : derivatives.from_tool) master += group;

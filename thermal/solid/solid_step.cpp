@@ -53,7 +53,6 @@ struct SpaceStages final : HeatStages {
   StageValue iterate(const StageEquation& equation, VectorXd temperature) {
     StageValue at{false, equation.time, std::move(temperature), {}, {}};
     core::AndersonAcceleration history(anderson_depth);
-    VectorXd last_update, last_move;
     double smallest = std::numeric_limits<double>::infinity(), last_scaled = 0, size = 0;
     for (int updates = 0; updates < max_updates; ++updates) {
       at.response = evaluate(system, equation.time, at.temperature);
@@ -68,11 +67,8 @@ struct SpaceStages final : HeatStages {
       size = update.lpNorm<Eigen::Infinity>();
       at.solved = updates > 0 && size <= options.newton_tolerance;
       if (at.solved || !(size <= divergence * smallest)) return at;
-      if (last_update.size() > 0) history.add(last_move + (update - last_update), update - last_update);
-      last_move = history.accelerated(update, update);
-      last_update = update;
       smallest = std::min(smallest, size);
-      at.temperature += last_move;
+      at.temperature += history.next_move(update);
     }
     return at;
   }

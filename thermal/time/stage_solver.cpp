@@ -70,7 +70,6 @@ bool is_solved(const Iterate& at, double size, double last_scaled, double tolera
 bool solve_by_modified_newton(const HeatSystem& system, const StepMatrix& matrix, const StageEquation& equation,
                               double tolerance, Iterate& at) {
   core::AndersonAcceleration history(anderson_depth);
-  Eigen::VectorXd last_update, last_move;
   double smallest = std::numeric_limits<double>::infinity();
   for (int updates = 0; updates < max_updates; ++updates) {
     const Eigen::VectorXd update = -matrix.cholesky.solve(at.residual);
@@ -80,11 +79,8 @@ bool solve_by_modified_newton(const HeatSystem& system, const StepMatrix& matrix
     at.stage.converged = updates > 0 && size <= tolerance;
     if (at.stage.converged) return true;
     if (!std::isfinite(size) || (updates >= first_checked_update && size > smallest)) return false;
-    if (last_update.size()) history.add(last_move + (update - last_update), update - last_update);
-    last_move = history.accelerated(update, update);
-    last_update = update;
     smallest = std::min(smallest, size);
-    move_to(system, matrix, equation, at.stage.temperature + last_move, at);
+    move_to(system, matrix, equation, at.stage.temperature + history.next_move(update), at);
     at.stage.converged = is_solved(at, size, last_scaled, tolerance);
     if (at.stage.converged || !std::isfinite(at.scaled)) return at.stage.converged;
   }

@@ -98,6 +98,15 @@ void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Inde
   core::add_clique(matrix.assembly.matrix, matrix.assembly.scatter, clique, count, local);
 }
 
+void add_edge(StepMatrix& matrix, const HeatSystem& system, Index edge, const std::array<Index, 3>& unknowns,
+              const std::array<double, 3>& factor, const EdgeShapes& shape) {
+  std::array<double, 9> local{};
+  for (int q = 0; q < 3; ++q)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) local[i * 3 + j] += factor[q] * shape[q][i] * shape[q][j];
+  add_clique(matrix, system, static_cast<Index>(system.cells.size()) + edge, 3, unknowns.data(), local.data());
+}
+
 void prepare(StepMatrix& matrix, const HeatSystem& system) {
   if (system.is_prescribed != matrix.is_prescribed) matrix.factored_step = 0;
   matrix.is_prescribed = system.is_prescribed;

@@ -47,6 +47,10 @@ struct StepMatrix : HeatMatrix {
 /// of prescribed unknowns.
 void add_clique(StepMatrix& matrix, const HeatSystem& system, Index clique, Index count, const Index* unknowns,
                 double* local);
+/// The same of a boundary edge, counted through all bodies: the sum over the points of edge_rule(3) of a factor times
+/// the shapes of two unknowns.
+void add_edge(StepMatrix& matrix, const HeatSystem& system, Index edge, const std::array<Index, 3>& unknowns,
+              const std::array<double, 3>& factor, const EdgeShapes& shape);
 /// Prepares sparsity pattern and symbolic analysis for the system. Both depend on the system and on
 /// `matrix.couplings` only; where those lack a coupling of the interface they are replaced by a wider set. The factor
 /// is dropped when the pattern or the set of prescribed unknowns changes.

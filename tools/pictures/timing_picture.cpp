@@ -110,7 +110,7 @@ void add_tools(const Scene& scene, Rows& rows) {
     for_each_stage(scene, [&](const Stage& stage, double from, double to) {
       for (const forming::StageTool& entry : stage.tools)
         if (static_cast<std::size_t>(entry.tool) == tool)
-          rows.bar(from, to, tool_colours, std::holds_alternative<std::monostate>(entry.motion) ? "" : "moves");
+          rows.bar(from, to, tool_colours, entry.moves() ? "moves" : "");
     });
     rows.end();
   }

@@ -65,6 +65,12 @@ std::string find_case(const std::string& given) {
       given, names.empty() ? none_was_found() : fmt::format("{}", fmt::join(names, ", "))));
 }
 
+std::string case_named(const std::string& directory, const std::string& given) {
+  const fs::path beside = fs::path(directory) / given;
+  std::error_code unknown;
+  return fs::exists(beside, unknown) ? beside.string() : find_case(given);
+}
+
 std::vector<BundledCase> bundled_cases() {
   const fs::path cases = shared_file("cases");
   std::vector<BundledCase> found;

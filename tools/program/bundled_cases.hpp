@@ -14,6 +14,9 @@ std::filesystem::path shared_file(const std::string& name);
 /// A name of neither is refused with the names there are.
 std::string find_case(const std::string& given);
 
+/// The case that a file names: beside the file where it is there, else as every command finds it.
+std::string case_named(const std::string& directory, const std::string& given);
+
 /// A bundled case with the title of its README, and its picture, a path that is empty where there is none.
 struct BundledCase {
   std::string name, title, picture;

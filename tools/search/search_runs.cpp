@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <thread>
 #include <utility>
@@ -39,7 +38,6 @@ bool run_finer(const forming::Goal& goal, forming::SearchResult& result, const s
   return true;
 }
 
-namespace fs = std::filesystem;
 using Status = forming::SweepState::Status;
 
 SearchRuns::SearchRuns(const forming::SearchCase& search, std::string output, int jobs)
@@ -84,12 +82,6 @@ bool make_runs(const forming::SweepPlan& plan, std::vector<forming::SweepState>&
 
 int usual_jobs(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-std::string case_named(const std::string& directory, const std::string& given) {
-  const fs::path beside = fs::path(directory) / given;
-  std::error_code unknown;
-  return fs::exists(beside, unknown) ? beside.string() : find_case(given);
 }
 
 }  // namespace parison::tools

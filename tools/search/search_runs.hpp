@@ -49,7 +49,4 @@ bool make_runs(const forming::SweepPlan& plan, std::vector<forming::SweepState>&
 /// As many as there are cores where none are asked for.
 int usual_jobs(int asked);
 
-/// The case that a file names: beside the file where it is there, else as every command finds it.
-std::string case_named(const std::string& directory, const std::string& given);
-
 }  // namespace parison::tools

@@ -28,13 +28,6 @@ using forming::SweepPlan;
 using forming::SweepState;
 using Status = SweepState::Status;
 
-/// The case of a sweep: beside the sweep file where it is there, else as every command finds it.
-std::string case_of(const forming::Sweep& sweep) {
-  const fs::path beside = fs::path(sweep.directory) / sweep.case_path;
-  std::error_code unknown;
-  return fs::exists(beside, unknown) ? beside.string() : find_case(sweep.case_path);
-}
-
 std::size_t count(const std::vector<SweepState>& states, Status status) {
   return static_cast<std::size_t>(
       std::count_if(states.begin(), states.end(), [&](const SweepState& state) { return state.status == status; }));
@@ -128,7 +121,7 @@ bool make_runs(const SweepRequest& request, const SweepPlan& plan, const SlurmJo
 int sweep(const SweepRequest& request) {
   require_engine(request);
   forming::Sweep asked = forming::read_sweep(request.file);
-  asked.case_path = case_of(asked);
+  asked.case_path = case_named(asked.directory, asked.case_path);
   const std::string output = request.output.empty() ? "results/sweep_" + asked.name : request.output;
   if (request.row > 0) return make_row_alone(request, asked, output);
   const SweepPlan plan = forming::plan_sweep(asked, output);

@@ -11,7 +11,7 @@
 #include <charconv>
 #include <vector>
 
-#include "core/case/case_file.hpp"
+#include "core/case/given_file.hpp"
 #include "core/case/text/case_text.hpp"
 
 namespace parison::core {
@@ -89,16 +89,6 @@ struct Way {
   bool ends = false;  ///< the last node is the value itself
 };
 
-std::vector<std::string> split(const std::string& key) {
-  std::vector<std::string> words;
-  for (std::size_t from = 0;;) {
-    const auto dot = key.find('.', from);
-    words.push_back(key.substr(from, dot - from));
-    if (dot == key.npos) return words;
-    from = dot + 1;
-  }
-}
-
 const toml::node* next_of(const toml::node& node, const std::string& word) {
   if (const auto* table = node.as_table()) return table->get(word);
   std::size_t index = 0;
@@ -108,7 +98,8 @@ const toml::node* next_of(const toml::node& node, const std::string& word) {
 }
 
 Way way_to(const toml::table& root, const std::string& numbered_key) {
-  Way way{{&root}, split(numbered_key)};
+  Way way{{&root}, {}};
+  for (const auto word : split(numbered_key, '.')) way.words.emplace_back(word);
   for (const std::string& word : way.words) {
     const toml::node* next = next_of(*way.nodes.back(), word);
     if (!next) return way;

@@ -5,17 +5,13 @@
 #include <cmath>
 
 #include "core/mesh/element.hpp"
-#include "forming/flow/problem.hpp"
+#include "forming/flow/surface.hpp"
 
 namespace parison::flow {
 
 using core::dim;
 
 namespace {
-
-bool is_exposed(const core::BoundaryEdge& edge, const std::vector<bool>& in_contact) {
-  return std::any_of(edge.nodes.begin(), edge.nodes.end(), [&](Index node) { return !in_contact[node]; });
-}
 
 bool carries_air(const Problem& problem, const core::BoundaryEdge& edge) {
   return problem.boundary_conditions[edge.boundary_id].kind == BoundaryCondition::Kind::free;
@@ -73,7 +69,7 @@ std::vector<Index> air_behind(const Problem& problem, const std::vector<bool>& i
   const core::BoundaryChain chain(mesh);
   std::vector<bool> exposed;
   for (const auto& edge : mesh.boundary_edges())
-    exposed.push_back(carries_air(problem, edge) && is_exposed(edge, in_contact));
+    exposed.push_back(carries_air(problem, edge) && !wholly_in_contact(edge, in_contact));
   std::vector<Index> behind = problem.air->behind;
   spread(exposed, chain.next, behind);
   spread(exposed, chain.previous, behind);
@@ -97,7 +93,7 @@ AirLoads air_loads(const Problem& problem, const std::vector<bool>& in_contact) 
   const auto tools = nearest_tools(problem);
   for (std::size_t e = 0; e < loads.behind.size(); ++e) {
     const auto& edge = mesh.boundary_edges()[e];
-    const bool exposed = is_exposed(edge, in_contact);
+    const bool exposed = !wholly_in_contact(edge, in_contact);
     const Index behind = exposed ? loads.behind[e] : air.behind[e];  // an edge that lands sweeps its pocket
     if (behind == open_air || !carries_air(problem, edge) || (!exposed && behind < 0)) continue;
     const auto areas = normal_areas(problem, edge);
@@ -122,7 +118,7 @@ Eigen::VectorXd opening_forces(const Problem& problem, const AirLoads& loads, co
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(dim * mesh.node_count());
   for (std::size_t e = 0; e < loads.behind.size(); ++e) {
     const auto& edge = mesh.boundary_edges()[e];
-    if (is_exposed(edge, in_contact) || !carries_air(problem, edge)) continue;
+    if (!wholly_in_contact(edge, in_contact) || !carries_air(problem, edge)) continue;
     const double p = gauge(*problem.air, loads.behind[e], pressure) - (loads.behind[e] >= 0 ? resting : 0);
     if (p == 0) continue;
     const auto areas = normal_areas(problem, edge);

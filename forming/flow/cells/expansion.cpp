@@ -33,9 +33,7 @@ Eigen::VectorXd expansion_load(const Problem& problem, const CellGeometry& geome
         for (int a = 0; a < dim; ++a) load[dim * mesh.cells()[c][i] + a] += stress * divergence_of(at, lane, q, i, a);
       for (int p = 0; p < 3; ++p) load[velocities + mesh.cells()[c][p]] -= linear(q, p) * change;
     }
-  for (const auto& candidate : problem.candidates)
-    if (candidate.tied && !held_by_form(problem, candidate) && candidate.node < mesh.vertex_count())
-      load[velocities + candidate.node] = 0;
+  leave_out_gripped(problem, load);
   return load;
 }
 

@@ -34,6 +34,13 @@ bool held_by_form(const Problem& problem, const ContactCandidate& candidate) {
   return candidate.tied && tool.friction.law == Friction::Law::grip && !tool.force;
 }
 
+void leave_out_gripped(const Problem& problem, Eigen::VectorXd& load) {
+  const core::Mesh& mesh = *problem.mesh;
+  for (const ContactCandidate& candidate : problem.candidates)
+    if (candidate.tied && !held_by_form(problem, candidate) && candidate.node < mesh.vertex_count())
+      load[dim * mesh.node_count() + candidate.node] = 0;
+}
+
 Eigen::VectorXd grip_resistance(const Problem& problem, const std::vector<SurfaceEdge>& surface) {
   const core::Mesh& mesh = *problem.mesh;
   std::vector<bool> held(mesh.nodes.size(), false);

@@ -23,6 +23,9 @@ inline constexpr double depth_of_form = 1.5e-2;
 /// Whether a tied candidate may open, held by the form of its tool.
 bool held_by_form(const Problem& problem, const ContactCandidate& candidate);
 
+/// Leaves the vertices of glass that a tool grips out of a right-hand side of div v: it cannot expand.
+void leave_out_gripped(const Problem& problem, Eigen::VectorXd& load);
+
 /// Resistance of each node to motion against the tool that holds it by its form, N.s/m; empty where none is held.
 /// Beside a corner in which the glass may be wedged along the tool it gives way as there (wedged_corner.hpp).
 Eigen::VectorXd grip_resistance(const Problem& problem, const std::vector<SurfaceEdge>& surface);

@@ -99,8 +99,7 @@ core::VtuFields glass_output(const Scene& scene, const State& state) {
 
 core::VtuFields tool_output(const Scene& scene, const State& state, Index tool) {
   const ToolState& body = state.tools[tool];
-  const auto& present = scene.stages.at(state.stage).tools;
-  const bool active = std::any_of(present.begin(), present.end(), [&](const StageTool& t) { return t.tool == tool; });
+  const bool active = scene.stages.at(state.stage).uses(tool);
   core::VtuFields fields;
   fields.time = state.time;
   fields.displacement = body.offset * core::axis_direction();

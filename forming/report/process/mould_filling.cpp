@@ -131,15 +131,10 @@ double share_near_tools(const Scene& scene, const State& state, const std::vecto
   return near / whole;
 }
 
-bool blows(const Stage& stage) {
-  return std::any_of(stage.pressure.begin(), stage.pressure.end(),
-                     [](const auto& pressure) { return pressure.second.max() > 0; });
-}
-
 MouldFilling mould_filling(const Scene& scene, const State& state) {
   constexpr double free_blow = 0.5;  // share of the surface that has a tool in front
   const Stage& stage = scene.stages.at(state.stage);
-  if (!blows(stage) || stage.tools.empty()) return {};
+  if (!stage.blows() || stage.tools.empty()) return {};
   const core::Mesh& mesh = state.glass.mesh;
   const ActiveTools tools(scene, state);
   const std::vector<bool> wanted = fillable(mesh, stage);

@@ -41,9 +41,6 @@ struct MouldFilling {
   bool was_blown() const { return share == share; }
 };
 
-/// Whether a stage has a pressure above zero on the glass.
-bool blows(const Stage& stage);
-
 /// The filling at the present moment. What counts is the outer surface that may touch tools, that no pressure acts on,
 /// and that has a tool in front of it, along or across the axis. Nothing is blown where no pressure acts, or where less
 /// than half of that surface has a tool in front: it is blown freely, as from a ring.

@@ -18,7 +18,7 @@ namespace {
 
 /// An entry of a list by its own name, or its number.
 std::string label(const CaseNode& entry, std::size_t number) {
-  const CaseNode* name = entry.kind == CaseNode::Kind::table ? member(entry, "name") : nullptr;
+  const CaseNode* name = member(entry, "name");
   return name ? name->text : fmt::format("{}", number);
 }
 
@@ -84,12 +84,6 @@ void add_differences(const CaseNode& before, const CaseNode& now, const std::str
 }
 
 }  // namespace
-
-const CaseNode* member(const CaseNode& table, const std::string& name) {
-  for (const CaseNode& item : table.items)
-    if (item.name == name) return &item;
-  return nullptr;
-}
 
 std::pair<CaseFile, CaseFile> comparable_cases(const std::string& before,
                                                const std::vector<std::string>& overrides_before, const std::string& now,

@@ -25,9 +25,6 @@ std::pair<core::CaseFile, core::CaseFile> comparable_cases(const std::string& be
                                                            const std::string& now,
                                                            const std::vector<std::string>& overrides_now);
 
-/// The entry of a table by its name; null without one.
-const core::CaseNode* member(const core::CaseNode& table, const std::string& name);
-
 /// Of an item of two case files, by its name; of an entry of two lists, by its number; of the first `count` entries of
 /// two lists, and of their number below that.
 std::vector<CaseDifference> item_differences(const core::CaseNode& before, const core::CaseNode& now,

@@ -182,7 +182,7 @@ void plan_press(const Scene& scene, Placed& placed, ContainerPlan& plan) {
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
     for (const StageTool& entry : stage.tools) {
-      if (std::holds_alternative<std::monostate>(entry.motion)) continue;
+      if (!entry.moves()) continue;
       const auto* position = std::get_if<PositionMotion>(&entry.motion);
       std::optional<double> end;
       if (position && !stage.may_end_early()) end = position->offset(stage.duration);
@@ -266,9 +266,7 @@ void plan_parison(const Scene& scene, const Placed& placed, ContainerPlan& plan)
   for (const StageTool& entry : last_forming_stage(scene).tools) mould = std::max(mould, first_use(scene, entry.tool));
   for (Index i = mould - 1; i >= 0; --i) {
     const Stage& stage = scene.stages[static_cast<std::size_t>(i)];
-    const bool is_blown = std::any_of(stage.pressure.begin(), stage.pressure.end(),
-                                      [](const auto& pressure) { return pressure.second.max() > 0; });
-    if (!is_blown) continue;
+    if (!stage.blows()) continue;
     if (const auto cavity = closed_region(placed, stage, {})) {
       plan.parison = ParisonPlan{i, {}, cavity->low, cavity->high, cavity->volume};
       return;

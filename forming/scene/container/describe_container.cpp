@@ -9,16 +9,10 @@
 namespace parison::forming {
 namespace {
 
-bool is_driven(const StageTool& tool) {
-  return std::holds_alternative<ForceMotion>(tool.motion);
-}
-
 /// Whether glass is pressed by a force or blown.
 bool forms_a_container(const Scene& scene) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(), [](const Stage& stage) {
-    return std::any_of(stage.tools.begin(), stage.tools.end(), is_driven) ||
-           std::any_of(stage.pressure.begin(), stage.pressure.end(), [](const auto& p) { return p.second.max() > 0; });
-  });
+  return std::any_of(scene.stages.begin(), scene.stages.end(),
+                     [](const Stage& stage) { return stage.has_driven_tool() || stage.blows(); });
 }
 
 /// Why no press cavity is known although a force drives a tool, empty where none does or the misfit says it.
@@ -26,7 +20,7 @@ std::string why_no_press(const Scene& scene, const ContainerPlan& plan) {
   if (!plan.misfit.empty()) return "";
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
     for (const StageTool& tool : scene.stages[i].tools) {
-      if (!is_driven(tool)) continue;
+      if (!tool.is_driven()) continue;
       const std::string &name = scene.tools[static_cast<std::size_t>(tool.tool)].name, &stage = scene.stages[i].name;
       if (has_moved_before(scene, static_cast<Index>(i), tool.tool))
         return fmt::format("none found: \"{}\" moves before stage \"{}\", where a force drives it", name, stage);

@@ -88,8 +88,7 @@ std::string tool_rows(const Scene& scene) {
   for (Index tool = 0; tool < static_cast<Index>(scene.tools.size()); ++tool) {
     double time = 0, first = -1, last = 0;
     for (const Stage& stage : scene.stages) {
-      const bool active = std::any_of(stage.tools.begin(), stage.tools.end(),
-                                      [&](const StageTool& entry) { return entry.tool == tool; });
+      const bool active = stage.uses(tool);
       if (active && first < 0) first = time;
       time += stage.duration;
       if (active) last = time;

@@ -9,10 +9,6 @@
 namespace parison::forming {
 namespace {
 
-bool uses(const Stage& stage, Index tool) {
-  return std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& one) { return one.tool == tool; });
-}
-
 /// Places of the outside of the parison: of the contact boundaries that close its cavity, the plunger's left out.
 std::vector<core::Point> outside_of(const Scene& scene, const ParisonPlan& parison) {
   const Stage& stage = scene.stages[static_cast<std::size_t>(parison.stage)];
@@ -72,10 +68,8 @@ double told_from(const Scene& scene) {
 
 /// Whether pressure or a moving tool forms the glass in a stage.
 bool forms(const Stage& stage) {
-  return std::any_of(stage.pressure.begin(), stage.pressure.end(),
-                     [](const auto& pressure) { return pressure.second.max() > 0; }) ||
-         std::any_of(stage.tools.begin(), stage.tools.end(),
-                     [](const StageTool& tool) { return !std::holds_alternative<std::monostate>(tool.motion); });
+  return stage.blows() ||
+         std::any_of(stage.tools.begin(), stage.tools.end(), [](const StageTool& tool) { return tool.moves(); });
 }
 
 }  // namespace
@@ -107,7 +101,7 @@ std::vector<Index> later_moulds(const Scene& scene, const ParisonPlan& parison) 
   const Stage& formed = scene.stages[static_cast<std::size_t>(parison.stage)];
   for (Index t = 0; t < static_cast<Index>(scene.tools.size()); ++t) {
     const Index first = first_use(scene, t);
-    if (first >= static_cast<Index>(scene.stages.size()) || first <= parison.stage || uses(formed, t)) continue;
+    if (first >= static_cast<Index>(scene.stages.size()) || first <= parison.stage || formed.uses(t)) continue;
     if (!scene.stages[static_cast<std::size_t>(first)].cools) moulds.push_back(t);  // else it carries the container
   }
   return moulds;

@@ -85,21 +85,13 @@ std::string collision(const Tool& moved, double from, double to, const Tool& oth
 
 }  // namespace
 
-bool has_moved_before(const Scene& scene, Index stage, Index tool) {
-  for (Index i = 0; i < stage; ++i)
-    for (const StageTool& entry : scene.stages[static_cast<std::size_t>(i)].tools)
-      if (entry.tool == tool && !std::holds_alternative<std::monostate>(entry.motion)) return true;
-  return false;
-}
-
 std::vector<std::string> tools_run_into(const Scene& scene, const ContainerPlan& plan) {
   std::vector<std::string> notes;
   if (!plan.press || has_moved_before(scene, plan.press->stage, plan.press->tool)) return notes;
   const double touching = tolerance::sealed * core::size(scene.glass.profile);
   const Tool& moved = scene.tools[static_cast<std::size_t>(plan.press->tool)];
   for (const StageTool& entry : scene.stages[static_cast<std::size_t>(plan.press->stage)].tools) {
-    if (entry.tool == plan.press->tool || !std::holds_alternative<std::monostate>(entry.motion) ||
-        has_moved_before(scene, plan.press->stage, entry.tool))
+    if (entry.tool == plan.press->tool || entry.moves() || has_moved_before(scene, plan.press->stage, entry.tool))
       continue;
     std::string note =
         collision(moved, moved.position, plan.press->stop, scene.tools[static_cast<std::size_t>(entry.tool)], touching);

@@ -18,12 +18,7 @@ constexpr double bar = 1e5;
 
 /// Whether hot glass of one temperature is pressed or blown between tools, as a gob is.
 bool forms_a_gob(const Scene& scene) {
-  const auto works = [](const Stage& stage) {
-    return std::any_of(stage.pressure.begin(), stage.pressure.end(),
-                       [](const auto& pressure) { return pressure.second.max() > 0; }) ||
-           std::any_of(stage.tools.begin(), stage.tools.end(),
-                       [](const StageTool& tool) { return std::holds_alternative<ForceMotion>(tool.motion); });
-  };
+  const auto works = [](const Stage& stage) { return stage.blows() || stage.has_driven_tool(); };
   return scene.has_flow() && scene.has_heat() && !scene.tools.empty() && !scene.glass.start_field &&
          std::any_of(scene.stages.begin(), scene.stages.end(), works);
 }
@@ -106,13 +101,9 @@ void add_gravity(const Scene& scene, std::vector<std::string>& notes) {
   const Stage& formed = scene.stages[static_cast<std::size_t>(plan.parison->stage)];
   for (auto s = static_cast<std::size_t>(plan.parison->stage) + 1; s < scene.stages.size(); ++s) {
     const Stage& stage = scene.stages[s];
-    const bool is_blown = std::any_of(stage.pressure.begin(), stage.pressure.end(),
-                                      [](const auto& pressure) { return pressure.second.max() > 0; });
-    const bool has_new_tool = std::any_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
-      return std::none_of(formed.tools.begin(), formed.tools.end(),
-                          [&](const auto& one) { return one.tool == tool.tool; });
-    });
-    if (!is_blown || !has_new_tool || stage.gravity * formed.gravity <= 0) continue;
+    const bool has_new_tool = std::any_of(stage.tools.begin(), stage.tools.end(),
+                                          [&](const StageTool& tool) { return !formed.uses(tool.tool); });
+    if (!stage.blows() || !has_new_tool || stage.gravity * formed.gravity <= 0) continue;
     notes.push_back(fmt::format(
         "gravity acts in stage \"{}\" as in \"{}\"; usual is a parison that is turned over between blank and mould: "
         "gravity of the other sign from the stage on in which it leaves the blank",

@@ -21,9 +21,6 @@ std::vector<std::string> faces_without_contact(const Scene& scene);
 /// The same of the cavity of the press, once the glass fills it.
 std::vector<std::string> cavity_without_contact(const Scene& scene, const ContainerPlan& plan);
 
-/// Whether a stage before this one has moved a tool.
-bool has_moved_before(const Scene& scene, Index stage, Index tool);
-
 /// The plunger on its way to its stop runs into a tool that it is free of at the start: the place, and how far. Tools
 /// without a hole around the axis, as drawn guide plates, and holes that are no contact boundaries are left out: tools
 /// may slide in each other.

@@ -128,7 +128,7 @@ std::vector<std::string> unusual_forces(const Scene& scene) {
     bool is_first = true;  // nothing has moved the tool before
     for (const Stage& stage : scene.stages)
       for (const StageTool& entry : stage.tools) {
-        if (entry.tool != static_cast<Index>(i) || std::holds_alternative<std::monostate>(entry.motion)) continue;
+        if (entry.tool != static_cast<Index>(i) || !entry.moves()) continue;
         const auto* motion = std::get_if<ForceMotion>(&entry.motion);
         if (motion && std::abs(strongest(motion->force)) > std::abs(force)) {
           is_first = is_first && !of;

@@ -33,19 +33,6 @@ const CaseNode& library() {
   return root;
 }
 
-CaseNode* member(CaseNode& table, const std::string& name) {
-  if (table.kind == CaseNode::Kind::table)
-    for (CaseNode& item : table.items)
-      if (item.name == name) return &item;
-  return nullptr;
-}
-
-const CaseNode* entry_of(const std::string& name) {
-  for (const CaseNode& item : library().items)
-    if (item.name == name) return &item;
-  return nullptr;
-}
-
 /// Puts `material.` before the keys of an entry, as in a case.
 void place_in_case(CaseNode& node) {
   node.key = "material." + node.key;
@@ -65,7 +52,7 @@ CaseNode& materials_of(core::CaseFile& file) {
 
 /// Adds a bundled material that a body names and the case has not.
 void add_named(const CaseNode& material, core::CaseFile& file, std::vector<std::string>& used) {
-  const CaseNode* entry = material.kind == CaseNode::Kind::text ? entry_of(material.text) : nullptr;
+  const CaseNode* entry = material.kind == CaseNode::Kind::text ? member(library(), material.text) : nullptr;
   if (!entry) return;
   CaseNode& materials = materials_of(file);
   if (materials.kind != CaseNode::Kind::table || member(materials, entry->name)) return;
@@ -79,7 +66,7 @@ void add_named(const CaseNode& material, core::CaseFile& file, std::vector<std::
 void complete(CaseNode& material, std::vector<std::string>& used) {
   CaseNode* like = member(material, "like");
   if (!like) return;
-  const CaseNode* entry = entry_of(core::text(*like));
+  const CaseNode* entry = member(library(), core::text(*like));
   if (!entry) core::choice(*like, library_names());
   CaseNode copy = *entry;
   place_in_case(copy);

@@ -68,15 +68,9 @@ constexpr const char* plate_above =
   { name = "rim", condition = "insulated", path = "(150, 2) mm" }, { name = "under", condition = "insulated", path = "(0, 2) mm" },
   { name = "axis", condition = "symmetry", path = "(0, 0) mm" })";
 
-CaseNode* find(CaseNode& table, const std::string& name) {
-  for (CaseNode& item : table.items)
-    if (item.name == name) return &item;
-  return nullptr;
-}
-
 /// Puts the entries of a list behind those of the case.
 void append(const CaseNode& entries, CaseNode& root) {
-  if (CaseNode* list = find(root, entries.name))
+  if (CaseNode* list = member(root, entries.name))
     list->items.insert(list->items.end(), entries.items.begin(), entries.items.end());
   else
     root.items.push_back(entries);
@@ -85,21 +79,21 @@ void append(const CaseNode& entries, CaseNode& root) {
 }  // namespace
 
 void add_standard_cooling(core::CaseFile& file) {
-  CaseNode* wanted = find(file.root, "cooling");
+  CaseNode* wanted = member(file.root, "cooling");
   if (!wanted) return;
   core::choice(*wanted, {"standard"});
-  CaseNode* stages = find(file.root, "stage");
+  CaseNode* stages = member(file.root, "stage");
   if (!stages || stages->items.empty()) core::refuse(*wanted, "found in a case without stages, allowed is one with");
   for (CaseNode& stage : stages->items)
-    if (find(stage, "kind"))
+    if (member(stage, "kind"))
       core::refuse(*wanted, "found in a case that names the kind of a stage, allowed is one whose stages all form");
-  const CaseNode* gravity = find(stages->items.back(), "gravity");
+  const CaseNode* gravity = member(stages->items.back(), "gravity");
   if (!gravity)
     core::refuse(*wanted, "found with a last stage without gravity, allowed is one that says what is below");
   const bool up = core::trimmed(gravity->text).front() != '-';
   const std::string text = fmt::format(standard_cooling, fmt::arg("boundaries", up ? plate_above : plate_below));
   CaseNode added = core::parse_case_text(text, "standard cooling");
-  for (CaseNode& stage : find(added, "stage")->items) stage.items.push_back(*gravity);
+  for (CaseNode& stage : member(added, "stage")->items) stage.items.push_back(*gravity);
   file.root.items.erase(file.root.items.begin() + (wanted - file.root.items.data()));
   for (const CaseNode& entries : added.items) append(entries, file.root);
 }

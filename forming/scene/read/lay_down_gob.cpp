@@ -54,16 +54,12 @@ struct Bed {
 
   /// The tools of the first stage, without those that move in some stage where these are left out.
   std::vector<Solid> solids(bool with_moving) const {
-    const auto moves = [&](Index tool) {
-      for (const Stage& stage : scene.stages)
-        for (const StageTool& entry : stage.tools)
-          if (entry.tool == tool && !std::holds_alternative<std::monostate>(entry.motion)) return true;
-      return false;
-    };
+    const auto all = static_cast<Index>(scene.stages.size());
     std::vector<Solid> found;
     for (const StageTool& entry : scene.stages.front().tools) {
       const Tool& tool = scene.tools[entry.tool];
-      if (with_moving || !moves(entry.tool)) found.push_back({&tool.profile, contact_boundaries(tool), tool.position});
+      if (with_moving || !has_moved_before(scene, all, entry.tool))
+        found.push_back({&tool.profile, contact_boundaries(tool), tool.position});
     }
     return found;
   }

@@ -19,9 +19,7 @@ namespace dimension = core::dimension;
 
 /// A property over temperature, above zero everywhere.
 core::Table property(const CaseNode& node, const core::Dimension& x, const core::Dimension& y) {
-  constexpr std::size_t most = 1000;  // heat content is asked at every point of every step
-  if (node.items.size() > most)
-    core::refuse(node, fmt::format("{} pairs were found, allowed are up to {}", node.items.size(), most));
+  require_few_pairs(node);
   const auto table = core::quantity_table(node, x, y);
   for (const double value : table.y)
     if (!(value > 0)) core::refuse(node, fmt::format("{:g} was found, allowed are values above zero", value));
@@ -214,6 +212,12 @@ NamedMaterial read_material(const CaseNode& node) {
 }
 
 }  // namespace
+
+void require_few_pairs(const CaseNode& table) {
+  constexpr std::size_t most = 1000;
+  if (table.items.size() > most)
+    core::refuse(table, fmt::format("{} pairs were found, allowed are up to {}", table.items.size(), most));
+}
 
 std::vector<NamedMaterial> read_materials(const CaseNode& node) {
   std::vector<NamedMaterial> materials;

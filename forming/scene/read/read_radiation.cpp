@@ -33,9 +33,7 @@ Absorption relative_to_first(core::Table table) {
 /// A quantity, or a list of [temperature, quantity]; `check` is called with each and where it stands.
 template <typename Check>
 Absorption read_absorption(const CaseNode& node, const Check& check) {
-  constexpr std::size_t most = 1000;
-  if (node.items.size() > most)
-    core::refuse(node, fmt::format("{} pairs were found, allowed are up to {}", node.items.size(), most));
+  require_few_pairs(node);
   core::Table table = core::quantity_table(node, dimension::temperature, dimension::inverse_length);
   const bool varies = node.kind == CaseNode::Kind::list;
   for (std::size_t i = 0; i < table.y.size(); ++i) check(table.y[i], varies ? node.items[i].items[1] : node);
@@ -97,13 +95,6 @@ double read_within(const CaseNode& node) {
     core::refuse(node, fmt::format("\"{}\" was found, allowed are errors from {:g} % to {:g} %", node.text, 100 * least,
                                    100 * most));
   return within;
-}
-
-CaseNode* member(CaseNode& table, const std::string& name) {
-  if (table.kind == CaseNode::Kind::table)
-    for (CaseNode& item : table.items)
-      if (item.name == name) return &item;
-  return nullptr;
 }
 
 /// The material of the glass in the table of materials; null where the case has none of that name.

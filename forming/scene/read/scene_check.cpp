@@ -72,10 +72,7 @@ struct GlassAndTool {
 
 /// The `position` at which a tool that moves in some stage would only touch the glass, as advice; empty without one.
 std::string advised_position(const Scene& scene, const GlassAndTool& pair, Index index, double touching) {
-  bool moves = false;
-  for (const Stage& stage : scene.stages)
-    for (const StageTool& entry : stage.tools)
-      moves = moves || (entry.tool == index && !std::holds_alternative<std::monostate>(entry.motion));
+  const bool moves = has_moved_before(scene, static_cast<Index>(scene.stages.size()), index);
   constexpr std::size_t most_work = 2'000'000;  // points times segments
   const std::size_t work = pair.of_glass.size() * pair.tool.profile.segments.size() +
                            pair.of_tool.size() * pair.glass.profile.segments.size();
@@ -95,14 +92,6 @@ bool can_touch(const Body& body) {
   return std::any_of(body.boundaries.begin(), body.boundaries.end(), contact);
 }
 
-/// The member of a table, null without one.
-const core::CaseNode* member(const core::CaseNode* table, const char* key) {
-  if (table)
-    for (const auto& item : table->items)
-      if (item.name == key) return &item;
-  return nullptr;
-}
-
 /// Refuses an edge length that would give a body too many cells, taken over its whole area, or too many edges.
 void refuse_too_fine(const core::CaseNode& at, const Body& body, double size, bool whole_area) {
   constexpr double max_cells = 500000, max_edges = 50000;
@@ -119,14 +108,16 @@ void refuse_too_fine(const core::CaseNode& at, const Body& body, double size, bo
 }
 
 void check_mesh_sizes(const core::CaseNode& node, const Body& body) {
-  const auto* mesh = member(&node, "mesh");
-  if (const auto& size = body.mesh.size) refuse_too_fine(*member(mesh, "size"), body, *size, true);
-  if (const auto& size = body.mesh.contact_size) refuse_too_fine(*member(mesh, "contact_size"), body, *size, false);
+  const auto* mesh = core::member(node, "mesh");
+  if (const auto& size = body.mesh.size) refuse_too_fine(*core::member(*mesh, "size"), body, *size, true);
+  if (const auto& size = body.mesh.contact_size)
+    refuse_too_fine(*core::member(*mesh, "contact_size"), body, *size, false);
   constexpr double max_quadrangles = 250000;
   if (const auto& mapped = body.mesh.mapped;
       mapped && double(mapped->along_first) * mapped->along_second > max_quadrangles)
-    core::refuse(*member(mesh, "mapped"), fmt::format("{} by {} divisions were found, allowed are up to {:g} in all",
-                                                      mapped->along_first, mapped->along_second, max_quadrangles));
+    core::refuse(*core::member(*mesh, "mapped"),
+                 fmt::format("{} by {} divisions were found, allowed are up to {:g} in all", mapped->along_first,
+                             mapped->along_second, max_quadrangles));
 }
 
 }  // namespace
@@ -135,7 +126,7 @@ void check_sizes(const Scene& scene, const core::CaseTable& root) {
   const auto &glass = root.get("glass"), *numerics = root.find("numerics");
   const auto tools = root.tables("tool");
   const auto place = [&](const char* key, const core::CaseNode& body) -> const core::CaseNode& {
-    const auto* item = member(numerics, key);
+    const auto* item = numerics ? core::member(*numerics, key) : nullptr;
     return item ? *item : body;
   };
   check_mesh_sizes(glass, scene.glass);
@@ -211,7 +202,7 @@ void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>&
     for (const StageTool& entry : scene.stages[i].tools) {
       const auto* position = std::get_if<PositionMotion>(&entry.motion);
       if (!position) {
-        if (std::holds_alternative<ForceMotion>(entry.motion)) at[entry.tool].reset();
+        if (entry.is_driven()) at[entry.tool].reset();
         continue;
       }
       const double first = position->offset(0);
@@ -235,7 +226,7 @@ void check_support(const Scene& scene, const core::CaseTable& root) {
         return boundary.kind == BoundaryKind::fixed || boundary.kind == BoundaryKind::symmetry;
       }))
     core::refuse(
-        *member(&root.get("glass"), "boundary"),
+        *core::member(root.get("glass"), "boundary"),
         "every boundary is fixed or a symmetry plane, so the pressure of the glass has no reference value; allowed is "
         "at least one boundary that is neither");
   if (constrained_along_axis(scene.glass)) return;

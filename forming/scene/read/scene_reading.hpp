@@ -81,6 +81,9 @@ core::Profile read_outline(const core::CaseNode& boundaries, const std::string& 
 /// Refuses an outline that crosses itself or leaves the half-plane of an axisymmetric scene.
 void check_outline(const core::Profile& profile, core::Geometry geometry, const core::CaseNode& boundaries);
 
+/// Refuses a table over temperature with more than a thousand pairs: it is asked at every point of every step.
+void require_few_pairs(const core::CaseNode& table);
+
 /// The interfaces of one [[interface]] entry, one for each tool it names.
 std::vector<Interface> read_interfaces(const core::CaseNode& node, const Scene& scene);
 /// The top-level tables of air that a stage may replace, null where the case has none.

@@ -68,9 +68,8 @@ std::pair<double, Index> thinnest_film(const Scene& scene, const State& state, c
 
 bool is_driven(const Scene& scene, const State& state, Index tool) {
   const auto& tools = scene.stages[state.stage].tools;
-  return std::any_of(tools.begin(), tools.end(), [&](const StageTool& place) {
-    return place.tool == tool && std::holds_alternative<ForceMotion>(place.motion);
-  });
+  return std::any_of(tools.begin(), tools.end(),
+                     [&](const StageTool& place) { return place.tool == tool && place.is_driven(); });
 }
 
 /// Whether tools with a prescribed motion approach each other at a film's node, so that the film cannot stop them.

@@ -25,8 +25,7 @@ NearestTools nearest_tools(const Scene& scene, const State& state, const std::ve
   NearestTools nearest{std::vector<Index>(count, -1), Eigen::VectorXd::Constant(count, 1e300)};
   for (std::size_t i = 0; i < scene.interfaces.size(); ++i) {
     const Interface& interface = scene.interfaces[i];
-    const auto& active = scene.stages[state.stage].tools;
-    if (std::none_of(active.begin(), active.end(), [&](const auto& t) { return t.tool == interface.tool; })) continue;
+    if (!scene.stages[state.stage].uses(interface.tool)) continue;
     const Eigen::VectorXd gap = tool_gaps(scene, state, nodes, interface.tool, reach * interface.transition_gap);
     for (const Index n : nodes)
       if (gap[n] < interface.transition_gap && gap[n] < nearest.gap[n]) {

@@ -22,9 +22,6 @@ std::optional<core::TimeFunction> prescribed_of(const Body& body, const core::Me
 /// add up, and costs little.
 constexpr double integrator_fraction = 0.2;
 
-/// Algebraic error of a stage, as a fraction of the local error that the step may have.
-constexpr double newton_fraction = 1e-3;
-
 using Meshes = std::vector<const core::Mesh*>;  ///< by body
 
 /// The heat problem of the present stage; its bodies are numbered as in the state, glass_body and body_of_tool.
@@ -105,8 +102,7 @@ Eigen::VectorXd limiting_wall_thickness(const Scene& scene, const core::Mesh& gl
 /// Whether glass, tools, the gaps between them and what the glass absorbs do not change for the whole stage.
 bool is_static(const Scene& scene, const Stage& stage) {
   return !scene.has_flow() && !scene.has_gap_law() && !thermal::absorption_varies(*scene.glass.thermal) &&
-         std::all_of(stage.tools.begin(), stage.tools.end(),
-                     [](const auto& tool) { return std::holds_alternative<std::monostate>(tool.motion); });
+         std::all_of(stage.tools.begin(), stage.tools.end(), [](const auto& tool) { return !tool.moves(); });
 }
 
 /// Steps of IDA, some seconds of work, after which a new integrator is started so that a checkpoint can be written.
@@ -181,10 +177,7 @@ HeatOutcome advance_by_tr_bdf2(const Scene& scene, State& state, const std::vect
   const MovingParts parts = moving_parts(scene, state);
   auto problem = moving_problem(scene, state, parts, interface, workspace.clamped_lookups);
   if (!dissipation.empty()) problem.bodies[glass_body].source = &dissipation;
-  thermal::StepOptions options;
-  options.tolerance = temperature_tolerance(scene);
-  options.newton_tolerance = newton_fraction * options.tolerance;
-  options.initial_substep = state.heat_substep;
+  const auto options = heat_options(scene, state.heat_substep);
   workspace.heat.couplings = couplings_of(state);
   auto outcome = thermal::advance(problem, state.time, temperatures(state), dt, options, workspace.heat);
   if (!outcome.converged) return {false, outcome.reason};
@@ -212,6 +205,12 @@ double temperature_tolerance(const Scene& scene) {
   constexpr double of_span = 2e-3;
   const double span = temperature_range(scene).span(), tolerance = scene.accuracy.temperature_tolerance;
   return span > 0 ? std::min(tolerance, of_span * span) : tolerance;
+}
+
+thermal::StepOptions heat_options(const Scene& scene, double initial_substep) {
+  constexpr double newton_fraction = 1e-3;  // algebraic error of a stage, of the local error
+  const double tolerance = temperature_tolerance(scene);
+  return {tolerance, newton_fraction * tolerance, initial_substep};
 }
 
 HeatRates heat_rates(const Scene& scene, const State& state) {

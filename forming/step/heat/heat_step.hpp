@@ -41,5 +41,7 @@ thermal::BodyView body_view(const Scene& scene, const State& state, Index body, 
 
 /// Local error that a heat step may have, K: that of the accuracy, or less where all temperatures differ by little.
 double temperature_tolerance(const Scene& scene);
+/// Options with this error, for a step that begins with a substep of so many s, as a whole where that is 0.
+thermal::StepOptions heat_options(const Scene& scene, double initial_substep = 0);
 
 }  // namespace parison::forming

@@ -82,8 +82,7 @@ thermal::SurfaceLight surface_light(const Scene& scene, const State& state, Inde
   if (scene.enclosure && body != glass_body) {
     const Index tool = body - 1;
     light.offset = state.tools[tool].offset;
-    light.in_place =
-        std::any_of(stage.tools.begin(), stage.tools.end(), [&](const auto& active) { return active.tool == tool; });
+    light.in_place = stage.uses(tool);
   }
   const bool sees_others = scene.enclosure && light.in_place;
   if (!sees_others && !thermal::has_light(*body_of(scene, body).thermal)) return light;

@@ -37,14 +37,12 @@ std::vector<core::InterfacePoint> thermal_interface(const Scene& scene, const St
   const auto slave = contact::make_surface(glass_body, glass, core::boundaries_of_kind(glass, BoundaryKind::contact),
                                            core::Point::Zero());
   const auto nodes = contact_nodes(glass);
-  const auto& active_tools = scene.stages[state.stage].tools;
   // In transition gaps: of points on edges in contact, and of nodes, also of those behind the end of a contact.
   constexpr double point_reach = 10, node_reach = 40;
   std::vector<contact::Master> masters;
   for (std::size_t law = 0; law < scene.interfaces.size(); ++law) {
     const auto& interface = scene.interfaces[law];
-    if (std::none_of(active_tools.begin(), active_tools.end(), [&](const auto& t) { return t.tool == interface.tool; }))
-      continue;
+    if (!scene.stages[state.stage].uses(interface.tool)) continue;
     const auto& tool = state.tools[interface.tool];
     const auto touches = core::boundaries_of_kind(tool.mesh, BoundaryKind::contact);
     masters.push_back(

@@ -20,7 +20,6 @@ void accumulate(const thermal::HeatBalance& balance, State& state) {
 }  // namespace
 
 std::string idle_tools(const Scene& scene, State& state, double dt) {
-  constexpr double newton_fraction = 1e-3;
   if (dt <= 0 || state.tools.empty()) return "";
   thermal::Problem problem{scene.geometry, {}, {}, {}};
   std::vector<Eigen::VectorXd> temperature;
@@ -28,11 +27,8 @@ std::string idle_tools(const Scene& scene, State& state, double dt) {
     problem.bodies.push_back(body_view(scene, state, body_of_tool(static_cast<Index>(t)), state.tools[t].mesh));
     temperature.push_back(state.tools[t].temperature);
   }
-  thermal::StepOptions options;
-  options.tolerance = temperature_tolerance(scene);
-  options.newton_tolerance = newton_fraction * options.tolerance;
   thermal::StepMatrix matrix;
-  auto outcome = thermal::advance(problem, state.time, temperature, dt, options, matrix);
+  auto outcome = thermal::advance(problem, state.time, temperature, dt, heat_options(scene), matrix);
   if (!outcome.converged) return outcome.reason;
   for (std::size_t t = 0; t < state.tools.size(); ++t)
     if (!is_waiting(scene, state.stage, static_cast<Index>(t)))

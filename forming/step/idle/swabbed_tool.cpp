@@ -22,12 +22,9 @@ SwabbedTool swabbed_tool(const Scene& scene, const State& state, Index tool) {
   for (std::size_t i = 0; i < mesh.boundaries().size(); ++i)
     if (mesh.boundaries()[i].kind == BoundaryKind::contact)
       body.exchange[i] = thermal::SurfaceExchange{weak, very_cold, 0, 0};
-  thermal::StepOptions options;
-  options.tolerance = temperature_tolerance(scene);
-  options.newton_tolerance = 1e-3 * options.tolerance;
   thermal::StepMatrix matrix;
   const Eigen::VectorXd uniform = Eigen::VectorXd::Constant(mesh.node_count(), scene.tools[tool].initial_temperature);
-  auto outcome = thermal::advance(problem, 0, {uniform}, swab.seconds, options, matrix);
+  auto outcome = thermal::advance(problem, 0, {uniform}, swab.seconds, heat_options(scene), matrix);
   const auto& through = outcome.balance.through_boundary;
   return {std::move(outcome.temperature.front()), std::accumulate(through.begin(), through.end(), 0.0),
           outcome.converged ? std::string() : outcome.reason};

@@ -138,14 +138,14 @@ std::string heading(const ComparedRun& other, const FinishedRun& base) {
   return text;
 }
 
+}  // namespace
+
 const Difference* find_row(const ComparedRun& other, const std::string& quantity) {
   if (other.result)
     for (const Difference& row : other.result->quantities)
       if (row.name == quantity) return &row;
   return nullptr;
 }
-
-}  // namespace
 
 namespace {
 

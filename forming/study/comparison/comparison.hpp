@@ -93,6 +93,9 @@ struct ComparedRun {
   bool unchanged = false;  ///< it has the values of the base, and was not run
 };
 
+/// The row of a quantity; null where it has none.
+const Difference* find_row(const ComparedRun& other, const std::string& quantity);
+
 struct Comparison {
   FinishedRun base;
   std::vector<ComparedRun> others;

@@ -39,7 +39,7 @@ struct Column {
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
-  for (const auto cell : core::split_at_commas(line)) {
+  for (const auto cell : core::split(line)) {
     const auto first = cell.find_first_not_of(" \t\""), last = cell.find_last_not_of(" \t\"");
     cells.emplace_back(first == cell.npos ? "" : cell.substr(first, last - first + 1));
   }

@@ -109,7 +109,7 @@ class CycleObserver : public RunObserver {
         ended[t] = between(before.tools[t], after.tools[t], (ends[t] - before.time) / dt);
   }
 
-  /// The time at which the cycle of the next tool ends; `never` where all have.
+  /// The time at which the cycle of the next tool ends; infinity where all have.
   double next_end() const {
     double next = never;
     for (std::size_t t = 0; t < ends.size(); ++t)

@@ -102,13 +102,6 @@ bool takes_part(const BodyView& body, Index boundary) {
          (body.prescribed.empty() || !body.prescribed[boundary]);
 }
 
-std::vector<Index> edges_of_mid_nodes(const core::Mesh& mesh) {
-  std::vector<Index> edge(mesh.nodes.size(), -1);
-  for (std::size_t e = 0; e < mesh.boundary_edges().size(); ++e)
-    edge[mesh.boundary_edges()[e].nodes[2]] = static_cast<Index>(e);
-  return edge;
-}
-
 /// Calls what(body, edge, unknowns, shape, area) for each point of the surfaces and, with the area negative, of the
 /// interface.
 template <typename What>

@@ -76,6 +76,13 @@ Index Zones::at(const Point& x) const {
   return zone_of_box_[box_at(x)];
 }
 
+std::vector<Index> Zones::neighbours(Index i, Index j) const {
+  std::vector<Index> boxes;
+  for (const auto& [i2, j2] : {std::pair{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}})
+    if (i2 >= 0 && j2 >= 0 && i2 < boxes_[0] && j2 < boxes_[1]) boxes.push_back(j2 * boxes_[0] + i2);
+  return boxes;
+}
+
 /// Numbers the boxes that are zones; a sliver has the number of its neighbour with the largest area.
 void Zones::join_slivers(const std::vector<double>& area, const std::vector<int>& points) {
   const double least = sliver * h_ * h_;
@@ -87,12 +94,8 @@ void Zones::join_slivers(const std::vector<double>& area, const std::vector<int>
       const Index box = j * boxes_[0] + i;
       if (points[box] == 0 || !is_sliver(box)) continue;
       double most = 0;
-      for (const auto& [di, dj] : {std::pair<Index, Index>{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-        const Index i2 = i + di, j2 = j + dj;
-        if (i2 < 0 || j2 < 0 || i2 >= boxes_[0] || j2 >= boxes_[1]) continue;
-        if (is_sliver(j2 * boxes_[0] + i2) || area[j2 * boxes_[0] + i2] <= most) continue;
-        most = area[joined[box] = j2 * boxes_[0] + i2];
-      }
+      for (const Index other : neighbours(i, j))
+        if (!is_sliver(other) && area[other] > most) most = area[joined[box] = other];
     }
   Index count = 0;
   for (std::size_t box = 0; box < area.size(); ++box)
@@ -110,11 +113,8 @@ void Zones::fill_gaps() {
       for (Index i = 0; i < boxes_[0]; ++i) {
         Index& zone = zone_of_box_[j * boxes_[0] + i];
         if (zone >= 0) continue;
-        for (const auto& [di, dj] : {std::pair<Index, Index>{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-          const Index i2 = i + di, j2 = j + dj;
-          if (i2 < 0 || j2 < 0 || i2 >= boxes_[0] || j2 >= boxes_[1]) continue;
-          if (before[j2 * boxes_[0] + i2] >= 0) zone = before[j2 * boxes_[0] + i2];
-        }
+        for (const Index other : neighbours(i, j))
+          if (before[other] >= 0) zone = before[other];
         more = more || zone < 0;
       }
   }

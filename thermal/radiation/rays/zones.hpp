@@ -40,6 +40,7 @@ class Zones {
     std::array<double, 3> second;  ///< rows of the inverse Cholesky factor of the second moments
   };
   Index box_at(const Point& x) const;
+  std::vector<Index> neighbours(Index i, Index j) const;  ///< boxes beside one
   void join_slivers(const std::vector<double>& area, const std::vector<int>& points);
   void fill_gaps();
 

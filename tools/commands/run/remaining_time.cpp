@@ -24,8 +24,7 @@ double contact_length(const forming::Body& body) {
 }
 
 bool is_pressed(const Stage& stage) {
-  return std::any_of(stage.tools.begin(), stage.tools.end(),
-                     [](const auto& tool) { return !std::holds_alternative<std::monostate>(tool.motion); });
+  return std::any_of(stage.tools.begin(), stage.tools.end(), [](const auto& tool) { return tool.moves(); });
 }
 
 /// Steps that grow from the first to the longest, and go on with that.

@@ -56,7 +56,7 @@ std::vector<Segment> read_csv_points(const CaseNode& node, const std::string& di
   for (std::string_view line; lines.next(line);) {
     row.line = lines.number();
     if (core::trimmed(line).empty()) continue;
-    auto cells = core::split_at_commas(line);
+    auto cells = core::split(line);
     if (cells.size() == core::dim + 1 && core::trimmed(cells.back()).empty()) cells.pop_back();
     if (cells.size() != core::dim)
       core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), core::dim));

@@ -31,26 +31,14 @@ Index read_touched(const CaseNode& node, const Scene& scene) {
   return scene.stages.back().tools[static_cast<std::size_t>(core::choice(node, before))].tool;
 }
 
-bool is_active(const Stage& stage, Index tool) {
-  return std::any_of(stage.tools.begin(), stage.tools.end(),
-                     [&](const StageTool& entry) { return entry.tool == tool; });
-}
-
-bool is_moved(const Scene& scene, Index tool) {
-  for (const Stage& stage : scene.stages)
-    for (const StageTool& entry : stage.tools)
-      if (entry.tool == tool && !std::holds_alternative<std::monostate>(entry.motion)) return true;
-  return false;
-}
-
 /// The tools that were active before a stage and are not in it; those that moved alone where there are any.
 std::vector<Index> tools_that_left(const Scene& scene, const Stage& stage) {
   std::vector<Index> left, moved;
   for (Index tool = 0; tool < static_cast<Index>(scene.tools.size()); ++tool) {
-    const auto was_there = [&](const Stage& earlier) { return is_active(earlier, tool); };
-    if (is_active(stage, tool) || std::none_of(scene.stages.begin(), scene.stages.end(), was_there)) continue;
+    const auto was_there = [&](const Stage& earlier) { return earlier.uses(tool); };
+    if (stage.uses(tool) || std::none_of(scene.stages.begin(), scene.stages.end(), was_there)) continue;
     left.push_back(tool);
-    if (is_moved(scene, tool)) moved.push_back(tool);
+    if (has_moved_before(scene, static_cast<Index>(scene.stages.size()), tool)) moved.push_back(tool);
   }
   return moved.empty() ? left : moved;
 }
@@ -100,7 +88,7 @@ void name_inner_side(const CaseNode& load, Scene& scene, Stage& stage) {
                                    fmt::join(names, ", "), names.front()));
   }
   std::size_t after = scene.stages.size();
-  while (!is_active(scene.stages[after - 1], left.front())) --after;
+  while (!scene.stages[after - 1].uses(left.front())) --after;
   NamedBoundary inner{inner_side};
   inner.touched = left.front();
   (after == scene.stages.size() ? stage : scene.stages[after]).named_boundaries.push_back(inner);

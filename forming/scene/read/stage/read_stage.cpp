@@ -32,10 +32,6 @@ Motion read_motion(const CaseNode& node, const Scene& scene) {
   return motion;
 }
 
-bool is_driven(const StageTool& tool) {
-  return std::holds_alternative<ForceMotion>(tool.motion);
-}
-
 std::vector<StageTool> read_stage_tools(const CaseTable& table, const Scene& scene) {
   std::vector<StageTool> tools;
   std::vector<std::string> active_names;
@@ -56,7 +52,8 @@ std::vector<StageTool> read_stage_tools(const CaseTable& table, const Scene& sce
             fmt::format("a motion of \"{}\", which is not active in this stage, allowed are the stage's tools: {}",
                         item.name, fmt::join(active_names, ", ")));
       tools[at - active_names.begin()].motion = read_motion(item, scene);
-      if (std::count_if(tools.begin(), tools.end(), is_driven) > flow::max_driven_tools)
+      if (std::count_if(tools.begin(), tools.end(), [](const auto& one) { return one.is_driven(); }) >
+          flow::max_driven_tools)
         core::refuse(item, fmt::format("too many tools driven by a force were found, allowed are {} in a stage",
                                        flow::max_driven_tools));
     }
@@ -126,7 +123,7 @@ void read_loads(const CaseTable& table, Scene& scene, Stage& stage) {
     }
   if (const auto* item = table.find("end_speed")) {
     stage.end_speed = core::positive(*item, dimension::speed);
-    if (std::none_of(stage.tools.begin(), stage.tools.end(), is_driven))
+    if (!stage.has_driven_tool())
       core::refuse(*item, "an end speed was found, allowed only where a force drives a tool");
   }
 }

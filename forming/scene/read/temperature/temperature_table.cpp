@@ -39,7 +39,7 @@ std::optional<Column> column_of(std::string_view heading) {
 std::vector<Column> read_heading(const CaseNode& row, std::string_view line) {
   std::vector<Column> columns;
   std::string found;
-  for (const auto cell : core::split_at_commas(line)) {
+  for (const auto cell : core::split(line)) {
     const auto column = column_of(core::trimmed(cell));
     if (!column || found.find(column->what) != found.npos)
       core::refuse(row, fmt::format("the heading \"{}\" was found, {}", line, allowed_heading));
@@ -52,7 +52,7 @@ std::vector<Column> read_heading(const CaseNode& row, std::string_view line) {
 }
 
 Row read_row(const CaseNode& row, std::string_view line, const std::vector<Column>& columns) {
-  const auto cells = core::split_at_commas(line);
+  const auto cells = core::split(line);
   if (cells.size() != columns.size())
     core::refuse(row, fmt::format("\"{}\" has {} columns, allowed are {}", line, cells.size(), columns.size()));
   Row values{};

@@ -66,14 +66,6 @@ double read_size(const std::string& size, const std::string& unit, const std::st
   return value;
 }
 
-/// The row of a quantity of a variant; null where it has none.
-const Difference* row_of(const ComparedRun& other, const std::string& quantity) {
-  if (other.result)
-    for (const Difference& row : other.result->quantities)
-      if (row.name == quantity) return &row;
-  return nullptr;
-}
-
 /// To two figures that are not below it.
 double rounded_up(double value) {
   const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
@@ -144,7 +136,7 @@ void ResolutionControl::add(const Comparison& comparison, double cpu_seconds) {
   bar_ = core::none;
   for (const ComparedRun& other : comparison.others) {
     if (other.unchanged) continue;
-    const Difference* row = row_of(other, quantity_);
+    const Difference* row = find_row(other, quantity_);
     const double bar = row ? row->bar : core::none;
     if (row) least_ = std::max(least_, least_bar * row->scale);
     if (!std::isfinite(bar)) without_bar_.push_back(other.label);

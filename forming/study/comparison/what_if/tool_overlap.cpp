@@ -205,13 +205,8 @@ Overlap overlap_of(const Scene& scene, Index a, Index b) {
 
 /// Whether both tools work together in a stage.
 bool are_together(const Scene& scene, Index a, Index b) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(), [&](const Stage& stage) {
-    const auto works = [&](Index tool) {
-      return std::any_of(stage.tools.begin(), stage.tools.end(),
-                         [&](const StageTool& one) { return one.tool == tool; });
-    };
-    return works(a) && works(b);
-  });
+  return std::any_of(scene.stages.begin(), scene.stages.end(),
+                     [&](const Stage& stage) { return stage.uses(a) && stage.uses(b); });
 }
 
 /// Tools that overlap where they stand, as new_tool_overlap.
@@ -220,7 +215,7 @@ std::string rest_overlap(const Scene& base, const Scene& changed) {
   std::set<std::pair<Index, Index>> seen;
   for (const Stage& stage : changed.stages) {
     for (const StageTool& tool : stage.tools)
-      if (!std::holds_alternative<std::monostate>(tool.motion)) moved.insert(tool.tool);
+      if (tool.moves()) moved.insert(tool.tool);
     for (const StageTool& one : stage.tools)
       for (const StageTool& other : stage.tools) {
         const Index a = one.tool, b = other.tool;
