@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
+
 namespace parison::contact {
 
 Box no_box() {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  return {core::Point::Constant(far), core::Point::Constant(-far)};
+  return {core::Point::Constant(core::infinity), core::Point::Constant(-core::infinity)};
 }
 
 Box united(const Box& a, const Box& b) {

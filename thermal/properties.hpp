@@ -77,7 +77,7 @@ inline ExchangeCoefficients coefficients_at(const SurfaceExchange& exchange, dou
   return {exchange.h(time), exchange.air_temperature(time), exchange.emissivity, exchange.ambient_temperature(time)};
 }
 
-inline constexpr double content_reference = 273.15;  ///< K, where enthalpy and heat content are zero
+inline constexpr double content_reference = core::zero_celsius;  ///< K, where enthalpy and heat content are zero
 
 /// Factor on the Rosseland conductivity in a wall of thickness w, m: 1/(1 + 4/(3 kappa w)), with kappa of the first
 /// entry where it depends on temperature, for which `conductivity` corrects it. It makes the radiative flux between two

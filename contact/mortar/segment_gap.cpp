@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact/mortar/root.hpp"
+#include "core/math/numbers.hpp"
 
 namespace parison::contact {
 
@@ -17,8 +18,6 @@ constexpr double full_contact_gap = 0.02;  ///< largest gap of a segment that is
 
 /// Largest difference of a linear gap from the exact one, in transition gaps.
 constexpr double linear_gap = 0.005;
-
-constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
 /// Whether the gap changes sign between a segment's ends, where it is `first` and `last`.
 bool passes_zero(double first, double last, double width) {
@@ -35,7 +34,7 @@ double contact_weight(double gap, double width) {
 }
 
 double exact_gap(const EdgeView& view, double s, const Master& master) {
-  return master.gap_at ? master.gap_at(position(view.slave.edge, s)) : out_of_reach;
+  return master.gap_at ? master.gap_at(position(view.slave.edge, s)) : core::infinity;
 }
 
 SegmentGap::SegmentGap(const EdgeView& view, const Segment& segment, const Master& master)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/math/numbers.hpp"
+
 namespace parison::contact {
 
 using core::Point;
@@ -19,18 +21,17 @@ ToolGap::ToolGap(const Profile& tool, const std::vector<bool>& contact_boundarie
 }
 
 double ToolGap::operator()(const Point& x) const {
-  constexpr double beyond = std::numeric_limits<double>::infinity();
-  if (!is_near(x, in_reach_, 0)) return beyond;
+  if (!is_near(x, in_reach_, 0)) return core::infinity;
   double best = reach_;
   for (const auto& [bounds, segment] : segments_)
     if (is_near(x, bounds, best)) best = core::distance(*segment, x, best);
-  if (best >= reach_) return beyond;
+  if (best >= reach_) return core::infinity;
   return core::contains(*tool_, x) ? -best : best;
 }
 
 double ToolGap::deepest(const Point& x, double known, std::size_t& closest) const {
-  constexpr double beyond = std::numeric_limits<double>::infinity();
-  if (closest < segments_.size() && core::distance(*segments_[closest].segment, x, beyond) <= known) return known;
+  if (closest < segments_.size() && core::distance(*segments_[closest].segment, x, core::infinity) <= known)
+    return known;
   if (!core::contains(*tool_, x)) return known;
   double best = reach_;
   for (std::size_t i = 0; i < segments_.size(); ++i) {

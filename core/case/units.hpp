@@ -4,10 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace parison::core {
+#include "core/math/numbers.hpp"
 
-/// 0 degC in K.
-inline constexpr double zero_celsius = 273.15;
+namespace parison::core {
 
 /// Exponents of m, kg, s and K. `absolute` marks a temperature that may be given in degC, `heat` a heat on an area,
 /// which has the exponents of a surface tension and is called otherwise.

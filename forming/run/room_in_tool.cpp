@@ -78,13 +78,12 @@ std::string describe(const ExcessSize& excess, const std::string& tool) {
 }
 
 std::string outgrown_tool(const Scene& scene, const State& state) {
-  constexpr double most = 0.02;  // of the glass, beyond the distances that steps leave
   if (state.stage + 1 >= static_cast<Index>(scene.stages.size())) return "";
   const Stage &now = scene.stages[state.stage], &next = scene.stages[state.stage + 1];
   for (const StageTool& place : next.tools) {
     if (now.uses(place.tool)) continue;
     const ExcessSize excess = excess_size(scene, state, place.tool);
-    if (excess.length > most * core::size(scene.glass.profile))
+    if (excess.length > outgrown_from * core::size(scene.glass.profile))
       return fmt::format(
           "the glass hangs {}, which comes in stage {}: less time or colder glass before, or a larger tool, let it fit",
           describe(excess, scene.tools[place.tool].name), next.name);

@@ -18,6 +18,9 @@ struct ExcessSize {
 /// planar sections.
 ExcessSize excess_size(const Scene& scene, const State& state, Index tool);
 
+/// By so much of its size the glass may be larger than a tool of the next stage: steps leave distances.
+inline constexpr double outgrown_from = 0.02;
+
 /// That a parison hangs longer or wider than a tool of the next stage, as a sentence; empty where it does not. One that
 /// only its weight moves does not become shorter again.
 std::string outgrown_tool(const Scene& scene, const State& state);

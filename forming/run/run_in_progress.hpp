@@ -6,6 +6,9 @@
 
 namespace parison::forming {
 
+/// Length of a step after one that was rejected, of that one.
+inline constexpr double shorten = 0.4;
+
 /// A run in progress; private to the files of the run loop.
 struct RunInProgress {
   const Scene& scene;
@@ -36,10 +39,10 @@ void notify(RunInProgress& run, void (RunObserver::*event)(const RunView&, Param
 /// integrator with a memory of its own, which ends after `output.checkpoint_steps` steps and after 300 of its own.
 void offer_checkpoint(RunInProgress& run, bool at_stage_boundary);
 
-/// Whether the run was stopped on request; this is recorded in the facts.
-bool stop_requested(RunInProgress& run);
-
 /// Puts a sentence into the facts as the reason why the run ends; false where it is empty and the run goes on.
 bool ends_by(RunInProgress& run, std::string reason);
+
+/// Whether the run was stopped on request; this is recorded in the facts.
+bool stop_requested(RunInProgress& run);
 
 }  // namespace parison::forming

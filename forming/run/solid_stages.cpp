@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "forming/run/fast_glass.hpp"
+#include "forming/run/room_in_tool.hpp"
 #include "forming/run/solid_extremes.hpp"
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_step.hpp"
@@ -48,11 +49,10 @@ std::string cannot_begin(const RunInProgress& run, const SolidState& solid) {
 
 /// Whether glass that no pressure moves has outgrown a tool of the next stage: it only gets longer until it falls.
 std::string outgrown(const RunInProgress& run, const SolidState& solid) {
-  constexpr double most = 0.02;  // of the glass
   const Scene& scene = run.scene;
   const Index stage = run.outcome.state.stage;
   if (stage + 1 >= static_cast<Index>(scene.stages.size()) || !scene.stages[stage].pressure.empty()) return "";
-  return larger_than_tool(run, solid, stage + 1, most * core::size(scene.glass.profile));
+  return larger_than_tool(run, solid, stage + 1, outgrown_from * core::size(scene.glass.profile));
 }
 
 /// The step up to the next output or the end of the stage, s, at most `proposed`.
@@ -67,7 +67,6 @@ double clipped(const Scene& scene, const State& clock, double proposed) {
 /// A step that is accepted; false when the shortest is not, and the facts say why.
 bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   State& clock = run.outcome.state;
-  constexpr double shorten = 0.4;
   straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid);
   double dt = clipped(run.scene, clock, solid.next_step);
   bool rejected = false;

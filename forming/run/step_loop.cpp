@@ -20,8 +20,8 @@ namespace parison::forming {
 
 namespace {
 
-/// Shortest step after a rejected one, of the rejected one.
-constexpr double shorten = 0.4, longest_retry = 0.9;
+/// Longest step after a rejected one, of the rejected one.
+constexpr double longest_retry = 0.9;
 
 constexpr const char* remesh_sentence = "Where the results look rough there, a smaller numerics.surface_size helps";
 constexpr const char* remesh_advice = "a smaller numerics.surface_size or a larger numerics.quality_floor may help";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "forming/state/state.hpp"
 
 namespace parison::forming {
@@ -15,8 +16,6 @@ using thermal::SkinLoad;
 
 /// Intervals of one history; the first of more pulses stand for all.
 constexpr std::size_t max_intervals = 1000;
-/// Times closer than this are one, s.
-constexpr double same_time = 1e-9;
 
 /// A curve and the time, s, at which its own time begins.
 struct Curve {
@@ -80,7 +79,7 @@ Exchange exchange_in(const Scene& scene, Index body, std::size_t boundary, Index
 double next_bend(const Exchange& exchange, double time) {
   double next = std::numeric_limits<double>::infinity();
   for (const Curve& curve : {exchange.h, exchange.temperature, exchange.ambient})
-    next = std::min(next, curve.start + curve.value->next_corner(time - curve.start + same_time));
+    next = std::min(next, curve.start + curve.value->next_corner(time - curve.start + core::same_time));
   return next;
 }
 
@@ -111,7 +110,7 @@ void add_pressed_intervals(const Stage& stage, const SkinLoad& closed, double lo
   };
   for (double time = 0; time < stage.duration && history.size() < max_intervals;) {
     double next = stage.duration;
-    for (const auto* load : loads) next = std::min(next, load->next_corner(time + same_time));
+    for (const auto* load : loads) next = std::min(next, load->next_corner(time + core::same_time));
     add_interval(history, {next - time, load_at(time), load_at(next)});
     time = next;
   }

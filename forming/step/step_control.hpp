@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
+#include "core/math/numbers.hpp"
 #include "forming/scene/scene.hpp"
 #include "forming/state/state.hpp"
 #include "forming/step/step_result.hpp"
@@ -36,8 +37,7 @@ enum class StageEnd { none, duration, tools_at_rest, force, filled, surface_belo
 /// What it is called in the results.
 const char* name_of(StageEnd end);
 
-/// Times closer than this are one, s.
-inline constexpr double same_time = 1e-9;
+using core::same_time;
 
 /// Time, s, until all driven tools are slower than the stage's end speed, as their speeds fall now: negative where they
 /// have been for some time, infinite where they do not fall or have not been faster yet.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/cell_batch.hpp"
 #include "remesh/mesher/fans.hpp"
 
@@ -19,10 +20,8 @@ using core::VectorizedArray;
 namespace {
 
 constexpr int terms = 6;           ///< of a complete quadratic polynomial
-constexpr std::size_t fewest = 5;  ///< cells of a patch; a smaller one is extended by the neighbouring cells
 constexpr int n = 4;               ///< components of a rate of deformation
-/// A derivative counts as zero where the field changes by less than this part of its largest value over the body.
-constexpr double rounding = 1e-9;
+constexpr std::size_t fewest = 5;  ///< cells of a patch; a smaller one is extended by the neighbouring cells
 
 template <int size>
 using Values = Eigen::Matrix<double, size, 1>;
@@ -136,6 +135,7 @@ void set_point(const core::CellShapes<6, points>& shapes, int q, const core::Nod
   core::map_point(shapes, q, x, at.mapped);
   core::set_gradients(shapes, q, at.mapped, at.gradient);
 }
+
 /// Rate of deformation of nodal velocities: rr, zz, sqrt 2 rz (which stands for rz and zr), hoop.
 struct Rate {
   core::Geometry geometry;
@@ -241,7 +241,7 @@ DerivativeError rate_error(const Mesh& mesh, core::Geometry geometry, const Eige
     volume += add_batch(mesh, nodal, batch, rate, error);
   // Zero where the field changes by round-off over the body.
   const double largest = velocity.lpNorm<Eigen::Infinity>();
-  if (error.derivative <= volume * std::pow(rounding * largest / extent(mesh), 2))
+  if (error.derivative <= volume * std::pow(core::round_off * largest / extent(mesh), 2))
     return {Eigen::VectorXd::Zero(mesh.cell_count())};
   error.cell = error.cell.cwiseSqrt();
   error.derivative = std::sqrt(error.derivative);

@@ -83,8 +83,7 @@ double SizeField::finest(const Point& x) const {
 }
 
 Index parts_of(double length, double size) {
-  constexpr double round_off = 1e-9;
-  return static_cast<Index>(std::ceil(length / size - round_off));
+  return static_cast<Index>(std::ceil(length / size - core::round_off));
 }
 
 std::vector<double> divide(double length, const std::function<double(double)>& size, Index at_least) {

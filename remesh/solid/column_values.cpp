@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "remesh/transfer/overlay.hpp"
 
@@ -37,8 +38,7 @@ struct Fit {
       changed = false;
       for (Index i = 0; i < values.size(); ++i) {
         const double kept = std::clamp(values[i], low, high);
-        constexpr double rounding = 1e-9;
-        if (std::abs(kept - values[i]) <= rounding * (high - low)) continue;
+        if (std::abs(kept - values[i]) <= core::round_off * (high - low)) continue;
         right -= kept * left.col(i);
         left.row(i).setZero();
         left.col(i).setZero();

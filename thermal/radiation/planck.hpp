@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
+#include "core/math/numbers.hpp"
+
 namespace parison::thermal {
 
-inline constexpr double stefan_boltzmann = 5.670374419e-8;  ///< W/m2/K4
+using core::stefan_boltzmann;
 
 /// Fraction of a black body's emissive power at wavelengths, in vacuum, below the one of this product of wavelength and
 /// temperature, m K: the series of S. L. Chang, K. T. Rhee, Int. Commun. Heat Mass Transf. 11 (1984) 451-455, and for

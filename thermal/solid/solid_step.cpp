@@ -18,7 +18,6 @@ using Eigen::VectorXd;
 /// Factors of the substep between which the factor of another one, or of the step before, is tried.
 constexpr double least_ratio = 0.7, most_ratio = 1.5;
 constexpr int many_updates = 8;  ///< of a stage, after which the next one has a new factor
-constexpr std::size_t anderson_depth = 4;
 constexpr int max_updates = 25;
 constexpr double divergence = 1e3;  ///< growth of an update over the smallest one at which a stage is given up
 

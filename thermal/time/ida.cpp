@@ -13,6 +13,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/math/numbers.hpp"
 #include "thermal/time/step_matrix.hpp"
 
 namespace parison::thermal {
@@ -175,10 +176,9 @@ void accumulate_until(Integration& run, double end) {
 
 /// The first time after `time`, s, at which a given curve bends; infinite for none.
 double next_corner(const Problem& problem, double time) {
-  constexpr double same_time = 1e-9;  // s
   double next = std::numeric_limits<double>::infinity();
   const auto include = [&](const core::TimeFunction& curve) {
-    next = std::min(next, curve.next_corner(time + same_time));
+    next = std::min(next, curve.next_corner(time + core::same_time));
   };
   for (const BodyView& body : problem.bodies) {
     include(body.source_factor);

@@ -15,7 +15,6 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr std::size_t anderson_depth = 4;
 constexpr int max_updates = 20;
 constexpr int first_checked_update = 3;   ///< from this one on an update larger than an earlier one is a stall
 constexpr double gmres_fraction = 1e-2;   ///< relative residual of GMRES for an update of Newton-Krylov

@@ -37,6 +37,9 @@ inline StepOutcome failed_step(std::string reason) {
   return outcome;
 }
 
+/// Updates of modified Newton that Anderson's acceleration remembers.
+inline constexpr std::size_t anderson_depth = 4;
+
 /// Matrix C + step K of the stage equations and its Cholesky factor, kept from step to step: C the heat capacity, K the
 /// stiffness of conduction, exchange and interface.
 struct HeatMatrix {

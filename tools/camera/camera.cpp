@@ -36,7 +36,7 @@ struct HotSection {
   Eigen::VectorXd temperature;  ///< K
 };
 
-constexpr int nodes_of_cell = 6, corners_of_cell = 3;
+constexpr int corners_of_cell = 3;
 
 /// The mesh of a file, its nodes renumbered with the corners first; `node` becomes the file's number of each.
 core::Mesh mesh_of(const VtuFile& file, std::vector<std::size_t>& node) {

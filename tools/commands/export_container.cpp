@@ -10,6 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/json_read.hpp"
 #include "core/io/written_files.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/report/files/case_copy.hpp"
 #include "forming/report/solid/solid_files.hpp"
 #include "forming/report/solid/space_files.hpp"
@@ -19,8 +20,6 @@
 
 namespace parison::tools {
 namespace {
-
-constexpr double cubic_centimetre = 1e-6;
 
 /// Refuses a name that the program which is to read the file would not take.
 void check_name(const char* option, const std::string& path, std::initializer_list<const char*> endings) {
@@ -32,7 +31,7 @@ void check_name(const char* option, const std::string& path, std::initializer_li
 }
 
 void tell(const std::string& path, const std::string& what, double volume, double glass) {
-  fmt::print("  {:<28} {:<34}{:>10.3f} cm3  {:+.4f} %\n", path, what, volume / cubic_centimetre,
+  fmt::print("  {:<28} {:<34}{:>10.3f} cm3  {:+.4f} %\n", path, what, volume / core::millilitre,
              100 * (volume / glass - 1));
 }
 
@@ -53,7 +52,7 @@ void tell_shell(const ExportRequest& request, const forming::ShellMesh& shell, d
 }
 
 void tell_glass(const std::string& results, double glass) {
-  fmt::print("glass of {}: {:.3f} cm3; all files in mm\n", results, glass / cubic_centimetre);
+  fmt::print("glass of {}: {:.3f} cm3; all files in mm\n", results, glass / core::millilitre);
 }
 
 forming::Scene scene_of(const std::string& results, const std::string& checkpoint) {

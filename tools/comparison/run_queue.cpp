@@ -31,8 +31,6 @@ namespace fs = std::filesystem;
 using forming::PlannedRun;
 using Status = QueuedRun::Status;
 
-constexpr unsigned poll_microseconds = 20000;
-
 std::string summary_path(const PlannedRun& plan) {
   return plan.directory + "/summary.json";
 }

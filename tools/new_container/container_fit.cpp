@@ -7,16 +7,18 @@
 #include <cmath>
 
 #include "core/case/case_error.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::tools {
+
+using core::millimetre;
+
 namespace {
 
-constexpr double mm = 1e-3;
-
 std::string length_text(const char* name, double value) {
-  return fmt::format("dimension.{}={:.6f} mm", name, value / mm);
+  return fmt::format("dimension.{}={:.6f} mm", name, value / millimetre);
 }
 
 bool has(const forming::Scene& scene, const std::string& name) {
@@ -95,8 +97,9 @@ ContainerFit fit_container(const std::string& file, const std::vector<std::strin
   base.push_back(length_text("body_radius", body));
   const double rim = dimension_of(forming::read_scene(file, "draft", base), "finish_radius");
   if (pressed && rim < body)
-    throw core::CaseError(fmt::format(
-        "no plunger comes out of a rim with a radius of {:.4g} mm over a foot of {:.4g} mm", rim / mm, body / mm));
+    throw core::CaseError(
+        fmt::format("no plunger comes out of a rim with a radius of {:.4g} mm over a foot of {:.4g} mm",
+                    rim / millimetre, body / millimetre));
   const double share = has(first, "parison_share") ? dimension_of(first, "parison_share") : 1;
   const double begin = pressed ? 0.12 * body : 0.9 * dimension_of(first, "plunger_radius") + 0.25 * body;
   const auto cavity = [&](double length) {
@@ -106,7 +109,7 @@ ContainerFit fit_container(const std::string& file, const std::vector<std::strin
   const double length = where(begin, glass / share, cavity);
   if (has(first, "blank_neck_radius") && length < dimension_of(first, "blank_neck_radius"))
     throw core::CaseError(fmt::format("a blank with a radius of {:.4g} mm is narrower than its neck of {:.4g} mm",
-                                      length / mm, dimension_of(first, "blank_neck_radius") / mm));
+                                      length / millimetre, dimension_of(first, "blank_neck_radius") / millimetre));
   std::vector<std::string> overrides = given;
   overrides.push_back(length_text("body_radius", std::round(1e5 * body) / 1e5));
   overrides.push_back(length_text(second, std::round(1e5 * length) / 1e5));

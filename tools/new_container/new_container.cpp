@@ -13,6 +13,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/text/case_edit.hpp"
 #include "core/io/files.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/scene.hpp"
@@ -20,10 +21,12 @@
 #include "tools/program/bundled_cases.hpp"
 
 namespace parison::tools {
+
+using core::millimetre;
 namespace {
 
 constexpr core::Dimension mass_dimension{0, 1};
-constexpr double mm = 1e-3, within = 5e-3;
+constexpr double within = 5e-3;
 
 double positive(const char* option, const std::string& text, const core::Dimension& dimension) {
   const auto found = core::parse_quantity(text, dimension);
@@ -49,14 +52,14 @@ struct Design {
 /// Refuses tools that do not go into each other, and pressed walls beyond those of the trade.
 void check_design(const forming::Scene& scene, const ContainerFit& fit, double capacity) {
   const double off = scene.container->capacity.value_or(0) / capacity - 1;
-  constexpr double thinnest = 2 * mm, thickest = 12 * mm;  // assumed
+  constexpr double thinnest = 2 * millimetre, thickest = 12 * millimetre;  // assumed
   if (is_pressed(scene) && (fit.second < thinnest || fit.second > thickest))
     throw core::CaseError(fmt::format("its wall is {:.2g} mm, usual of pressed ware are {:g} to {:g} mm",
-                                      fit.second / mm, thinnest / mm, thickest / mm));
+                                      fit.second / millimetre, thinnest / millimetre, thickest / millimetre));
   if (std::abs(off) > within || !scene.container->parison || fit.second >= fit.body)
     throw core::CaseError(
         fmt::format("a blank with a radius of {:.4g} mm does not go into a mould with one of {:.4g} mm",
-                    fit.second / mm, fit.body / mm));
+                    fit.second / millimetre, fit.body / millimetre));
 }
 
 /// Blanks of several lengths, shares of the height, the usual one first: a short one holds much glass, a long one
@@ -91,7 +94,8 @@ void limit_gob(const std::string& file, double mass, std::vector<std::string>& g
   const double ball = std::cbrt(6 * mass / scene.glass.density() / M_PI);
   for (const auto& dimension : scene.dimensions)
     if (dimension.name == "gob_diameter")
-      given.push_back(fmt::format("dimension.gob_diameter=min({}, {:.4g} mm)", dimension.given, 0.97 * ball / mm));
+      given.push_back(
+          fmt::format("dimension.gob_diameter=min({}, {:.4g} mm)", dimension.given, 0.97 * ball / millimetre));
 }
 
 /// The template with plain numbers in place of its formulas.
@@ -99,9 +103,9 @@ std::string resolved(const std::string& file, const std::vector<std::string>& ov
   std::string text = core::read_text(file);
   for (const std::string& one : overrides) text = core::edited_case_text(text, file, one);
   for (const auto& dimension : scene.dimensions)
-    text = core::edited_case_text(
-        text, file,
-        fmt::format("dimension.{}={:g} mm", dimension.name, std::round(100 * dimension.measure.value / mm) / 100));
+    text = core::edited_case_text(text, file,
+                                  fmt::format("dimension.{}={:g} mm", dimension.name,
+                                              std::round(100 * dimension.measure.value / millimetre) / 100));
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
     text = core::edited_case_text(
         text, file, fmt::format("stage.{}.duration={:g} s", i, std::round(100 * scene.stages[i].duration) / 100));
@@ -115,10 +119,10 @@ std::string container_text(const ContainerWish& wish, const std::string& name) {
   const double mass = positive("--weight", wish.weight, mass_dimension);
   const double capacity = positive("--capacity", wish.capacity, core::dimension::volume);
   const double height = positive("--height", wish.height, core::dimension::length);
-  std::vector<std::string> given{fmt::format("dimension.height={:.6g} mm", height / mm)};
+  std::vector<std::string> given{fmt::format("dimension.height={:.6g} mm", height / millimetre)};
   if (!wish.finish.empty())
     given.push_back(fmt::format("dimension.finish_radius={:.6g} mm",
-                                positive("--finish", wish.finish, core::dimension::length) / 2 / mm));
+                                positive("--finish", wish.finish, core::dimension::length) / 2 / millimetre));
   given.push_back(fmt::format("glass.gob.mass={:.6g} g", 1e3 * mass));
   limit_gob(file, mass, given);
   std::vector<std::string> overrides = best_design(file, given, capacity, mass).fit.overrides;

@@ -6,6 +6,9 @@
 
 namespace parison::tools {
 
+/// Between two looks at whether a process has ended.
+inline constexpr unsigned poll_microseconds = 20000;
+
 /// Starts this program again with other arguments, on one thread, in a process group of its own, asked to stop where
 /// this process ends before it; what it prints goes to the end of a file. Returns its id.
 int start_self(const std::vector<std::string>& arguments, const std::string& log);

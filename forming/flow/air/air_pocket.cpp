@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
+
 namespace parison::flow {
 
 namespace {
 
-constexpr double gamma = 1.4;
+constexpr double gamma = core::heat_ratio_of_air;
 constexpr double least_volume = 1e-4;  ///< of that at the step's start: above it the law itself holds
 
 /// Flow function of the nozzle over the ratio x of the pressures, at most 1.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "forming/diagnostics/table_excess.hpp"
 #include "forming/diagnostics/temperature_bounds.hpp"
 #include "forming/report/container/container_report.hpp"
@@ -13,6 +14,13 @@
 #include "forming/step/balance/work.hpp"
 
 namespace parison::forming {
+
+void add_capacity_check(double capacity, double drawn, Checks& checks) {
+  checks.push_back({"capacity", std::abs(capacity / drawn - 1), most_doubt, no_limit, "%",
+                    fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "
+                                "does not fill its mould, has sunk, or an outline is not the one that is meant",
+                                capacity / core::millilitre, drawn / core::millilitre)});
+}
 
 void add_capacity_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
   if (!scene.container || !(scene.container->capacity || scene.container->outside)) return;
@@ -23,7 +31,6 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   if (!facts.completed || !plan.capacity || scene.solid) return;
   const auto formed = container_report(scene, state, true);
   if (!formed || !formed->capacity) return;
-  constexpr double millilitre = 1e-6;
   const CoolingSeen& seen = facts.diagnostics.cooling;  // a container that has cooled since is judged as it was then
   const bool cooled = seen.capacity > 0;
   // Glass that shrinks sinks at its rim, and a little more of it stands higher: that is judged to the drawn rim.
@@ -31,10 +38,7 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   // What the glass lost of its volume in the mould, the capacity has gained.
   const double volume = cooled ? seen.volume : core::volume(state.glass.mesh, scene.geometry);
   const double drawn = *plan.capacity + state.glass.initial_volume - volume;
-  checks.push_back({"capacity", std::abs(capacity / drawn - 1), most_doubt, no_limit, "%",
-                    fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "
-                                "does not fill its mould, has sunk, or an outline is not the one that is meant",
-                                capacity / millilitre, drawn / millilitre)});
+  add_capacity_check(capacity, drawn, checks);
 }
 
 namespace {

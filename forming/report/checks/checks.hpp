@@ -16,6 +16,8 @@ void add_flow_checks(const Scene& scene, const State& state, const RunFacts& fac
 
 /// Those of a container: two ways to one volume from the drawings, and that of the formed glass beside it.
 void add_capacity_checks(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks);
+/// That of the capacity of the formed glass beside the one drawn, m3.
+void add_capacity_check(double capacity, double drawn, Checks& checks);
 
 /// That of glass hotter than all that can heat it, of a scene with heat and flow.
 void add_hot_glass_check(const Scene& scene, const State& state, const HotGlass& hot, Checks& checks);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/solid/hex_geometry.hpp"
+#include "forming/report/checks/checks.hpp"
 #include "forming/report/wall/solid_wall.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/solid/solid_step.hpp"
@@ -27,14 +28,10 @@ void add_solid_checks(const Scene& scene, const State& clock, const SolidState& 
                                 1e3 * overlap.at[1], 1e3 * overlap.at[2]),
                     CheckKind::resolution});
   if (!completed || !scene.container || !scene.container->capacity) return;
-  constexpr double millilitre = 1e-6;
   const double volume = core::cell_volumes(solid.glass.mesh).sum() / solid.share;
   const double drawn = *scene.container->capacity + scene.container->glass_volume - volume;
   const double capacity = solid_wall(solid).capacity;
-  checks.push_back({"capacity", std::abs(capacity / drawn - 1), most_doubt, no_limit, "%",
-                    fmt::format("the formed glass holds {:.5g} ml, {:.5g} ml by the drawings and its volume: the glass "
-                                "does not fill its mould, has sunk, or an outline is not the one that is meant",
-                                capacity / millilitre, drawn / millilitre)});
+  add_capacity_check(capacity, drawn, checks);
 }
 
 }  // namespace parison::forming

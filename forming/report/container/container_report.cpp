@@ -43,12 +43,10 @@ void add_optional(core::JsonWriter& json, const char* key, const std::optional<d
   if (value) json.add(key, *value / unit);
 }
 
-constexpr double millilitre = 1e-6;
-
 void add_volumes(core::JsonWriter& json, const std::optional<double>& capacity, const std::optional<double>& filled) {
-  add_optional(json, "capacity_ml", capacity, millilitre);
-  add_optional(json, "to_fill_level_ml", filled, millilitre);
-  if (capacity && filled) json.add("ullage_ml", (*capacity - *filled) / millilitre);
+  add_optional(json, "capacity_ml", capacity, core::millilitre);
+  add_optional(json, "to_fill_level_ml", filled, core::millilitre);
+  if (capacity && filled) json.add("ullage_ml", (*capacity - *filled) / core::millilitre);
 }
 
 void add_size(core::JsonWriter& json, const OuterSize& size) {
@@ -57,7 +55,7 @@ void add_size(core::JsonWriter& json, const OuterSize& size) {
 }
 
 std::string millilitres(double volume) {
-  return figures(volume / millilitre, 2);
+  return figures(volume / core::millilitre, 2);
 }
 
 /// The mesh of the glass as it would be cold, against that of the run's end; it stands as `up` says.
@@ -150,9 +148,9 @@ void add_container(core::JsonWriter& json, const Scene& scene, const State& stat
   json.open_object("from_drawings");
   json.add("weight_g", 1e3 * plan.mass);
   add_volumes(json, plan.capacity, plan.filled);
-  if (plan.press) json.add("press_cavity_ml", plan.press->cavity / millilitre);
+  if (plan.press) json.add("press_cavity_ml", plan.press->cavity / core::millilitre);
   if (plan.press) json.add("plunger_stop_mm", plan.press->stop / core::millimetre);
-  add_optional(json, "mould_ml", plan.outside, millilitre);
+  add_optional(json, "mould_ml", plan.outside, core::millilitre);
   json.close();
   json.close();
 }

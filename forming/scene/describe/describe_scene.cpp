@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/describe_timing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
@@ -124,7 +125,7 @@ bool has_moving_tool(const Scene& scene) {
 /// What the friction of each tool with Navier's law means for hot glass: a layer half as thick as the glass's own
 /// length shears in series with the friction, which takes this share of a tool's speed.
 std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbers) {
-  constexpr double stick_below = 0.1, slip_above = 0.9, bar = 1e5;
+  constexpr double stick_below = 0.1, slip_above = 0.9;
   if (!numbers.viscosity) return "";
   const bool moves = numbers.speed && has_moving_tool(scene);
   std::string text;
@@ -133,7 +134,8 @@ std::string friction_lines(const Scene& scene, const DimensionlessNumbers& numbe
     if (tool.friction.law != flow::Friction::Law::navier) continue;
     const double share = 1 / (1 + coefficient * 0.5 * numbers.length / *numbers.viscosity);
     text += fmt::format("  {:<20}{:g} Pa.s/m: ", tool.name, coefficient);
-    if (moves) text += fmt::format("{:.2g} bar at {:.3g} m/s; ", coefficient * *numbers.speed / bar, *numbers.speed);
+    if (moves)
+      text += fmt::format("{:.2g} bar at {:.3g} m/s; ", coefficient * *numbers.speed / core::bar, *numbers.speed);
     text += fmt::format("hot glass slides at {:.1f} % of the speed of free slip: {}\n", 100 * share,
                         share < stick_below  ? "acts as stick"
                         : share > slip_above ? "acts as slip"

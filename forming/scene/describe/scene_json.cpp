@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/scene/describe/scene_json.hpp"
 
+#include "core/math/numbers.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/unusual.hpp"
@@ -8,11 +9,11 @@
 namespace parison::forming {
 namespace {
 
-constexpr double mm = 1e-3, gram = 1e-3, cubic_cm = 1e-6;
+constexpr double gram = 1e-3;
 
 void add_point(const core::Point& x, core::JsonWriter& json) {
-  json.add("", x[0] / mm);
-  json.add("", x[1] / mm);
+  json.add("", x[0] / core::millimetre);
+  json.add("", x[1] / core::millimetre);
 }
 
 void add_if(const char* key, const std::optional<double>& value, double unit, core::JsonWriter& json) {
@@ -21,18 +22,18 @@ void add_if(const char* key, const std::optional<double>& value, double unit, co
 
 void add_container(const Scene& scene, const ContainerPlan& plan, core::JsonWriter& json) {
   json.open_object("container");
-  add_if("mould_cm3", plan.outside, cubic_cm, json);
-  add_if("capacity_ml", plan.capacity, cubic_cm, json);
-  add_if("rim_mm", plan.rim, mm, json);
-  add_if("filled_ml", plan.filled, cubic_cm, json);
-  if (plan.filled) json.add("ullage_ml", (*plan.capacity - *plan.filled) / cubic_cm);
+  add_if("mould_cm3", plan.outside, core::millilitre, json);
+  add_if("capacity_ml", plan.capacity, core::millilitre, json);
+  add_if("rim_mm", plan.rim, core::millimetre, json);
+  add_if("filled_ml", plan.filled, core::millilitre, json);
+  if (plan.filled) json.add("ullage_ml", (*plan.capacity - *plan.filled) / core::millilitre);
   if (const auto& press = plan.press) {
     json.open_object("press");
     json.add("tool", scene.tools[static_cast<std::size_t>(press->tool)].name);
     json.add("stage", scene.stages[static_cast<std::size_t>(press->stage)].name);
     json.add("driven", press->is_driven);
-    json.add("stop_mm", press->stop / mm);
-    json.add("cavity_cm3", press->cavity / cubic_cm);
+    json.add("stop_mm", press->stop / core::millimetre);
+    json.add("cavity_cm3", press->cavity / core::millilitre);
     json.close();
   }
   json.add("misfit", plan.misfit);
@@ -42,7 +43,7 @@ void add_container(const Scene& scene, const ContainerPlan& plan, core::JsonWrit
   for (const ParisonClearance& one : parison_clearance(scene, plan)) {
     json.open_list("");
     add_point(one.at, json);
-    json.add("", one.clearance / mm);
+    json.add("", one.clearance / core::millimetre);
     json.close();
   }
   json.close();
@@ -52,7 +53,7 @@ void add_body(const Body& body, core::JsonWriter& json) {
   const double size = core::size(body.profile);
   json.open_object("");
   json.add("name", body.name);
-  json.add("position_mm", body.position / mm);
+  json.add("position_mm", body.position / core::millimetre);
   json.open_list("outline_mm");  // r, z, r, z, ... where the body is drawn
   for (const core::Point& x : core::polyline(body.profile, size, 2e-4 * size)) add_point(x, json);
   json.close();
@@ -81,7 +82,7 @@ void add_scene(const Scene& scene, core::JsonWriter& json) {
   json.add("name", scene.name);
   json.add("axisymmetric", scene.geometry == core::Geometry::axisymmetric);
   json.add("weight_g", numbers.mass / gram);
-  json.add("volume_cm3", numbers.volume / cubic_cm);
+  json.add("volume_cm3", numbers.volume / core::millilitre);
   if (scene.container) add_container(scene, *scene.container, json);
   json.open_list("findings");
   for (const std::string& note : unusual_values(scene)) json.add("", note);

@@ -7,14 +7,13 @@
 #include <cmath>
 
 #include "core/case/units.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/describe/support.hpp"
 #include "forming/scene/read/temperature/temperature_table.hpp"
 
 namespace parison::forming {
 namespace {
-
-constexpr double bar = 1e5;
 
 /// Whether hot glass of one temperature is pressed or blown between tools, as a gob is.
 bool forms_a_gob(const Scene& scene) {
@@ -73,14 +72,14 @@ void add_table_of_start(const Body& body, core::Geometry geometry, std::vector<s
 }
 
 void add_pressures(const Scene& scene, std::vector<std::string>& notes) {
-  constexpr double most = 3 * bar;
+  constexpr double most = 3 * core::bar;
   for (const Stage& stage : scene.stages)
     for (const auto& [boundary, pressure] : stage.pressure)
       if (pressure.max() > most)
         notes.push_back(
             fmt::format("stage \"{}\" blows with {:.4g} bar on \"{}\"; usual are 0.3 to 2 bar, up to 3 bar to hold the "
                         "container in its mould",
-                        stage.name, pressure.max() / bar, boundary));
+                        stage.name, pressure.max() / core::bar, boundary));
 }
 
 void add_durations(const Scene& scene, std::vector<std::string>& notes) {

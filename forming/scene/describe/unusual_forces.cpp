@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/numbers.hpp"
 #include "forming/scene/container/free_space.hpp"
 #include "forming/scene/describe/unusual.hpp"
 
@@ -74,8 +75,6 @@ std::vector<std::string> films_too_thin(const Scene& scene, const ContainerPlan&
 
 namespace {
 
-constexpr double bar = 1e5;
-
 /// The force of the largest size, with its sign, N.
 double strongest(const core::TimeFunction& force) {
   return force.max() >= -force.min() ? force.max() : force.min();
@@ -102,7 +101,7 @@ double face_of(const Tool& tool) {
 }
 
 std::string note_on(const Scene& scene, const Stage& stage, const Tool& tool, double force, bool is_first) {
-  constexpr double least = 3 * bar, most = 300 * bar;
+  constexpr double least = 3 * core::bar, most = 300 * core::bar;
   if (is_first && pulls_away(scene, tool, force > 0 ? 1 : -1))
     return fmt::format(
         "stage \"{}\" drives \"{}\" with {} away from the glass; a force counts along the axis, a press towards "
@@ -114,7 +113,7 @@ std::string note_on(const Scene& scene, const Stage& stage, const Tool& tool, do
   return fmt::format(
       "the largest force on \"{}\" is {} (stage \"{}\"), {:.2g} bar over its face; usual are 0.5 to 10 kN, in the "
       "bundled cases 30 to 70 bar over the face",
-      tool.name, force_text(force), stage.name, pressure / bar);
+      tool.name, force_text(force), stage.name, pressure / core::bar);
 }
 
 }  // namespace

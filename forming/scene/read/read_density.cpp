@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/case/units.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 
 namespace parison::forming {
@@ -18,7 +19,6 @@ using core::CaseTable;
 namespace dimension = core::dimension;
 
 constexpr core::Dimension per_kelvin{0, 0, 0, -1};
-constexpr double room_temperature = 293.15;  // K
 
 /// Largest linear expansion coefficient, 1/K: liquid glasses have 20e-6 to 60e-6.
 constexpr double most_expansion = 100e-6;
@@ -71,14 +71,14 @@ Density read_expansion(const CaseNode& node) {
   const double cold = core::positive(table.get("cold_density"), dimension::density);
   const double solid = read_coefficient(table.get("solid")), liquid = read_coefficient(table.get("liquid"));
   const double transformation = core::quantity(table.get("transformation"), dimension::temperature);
-  if (transformation < room_temperature || transformation > highest)
+  if (transformation < core::room_temperature || transformation > highest)
     core::refuse(table.get("transformation"),
                  fmt::format("\"{}\" was found, allowed is {:g} to {:g} degC", table.get("transformation").text,
-                             celsius(room_temperature), celsius(highest)));
+                             celsius(core::room_temperature), celsius(highest)));
   core::Table density;
   const auto add = [&](double T) {
     const double strain =
-        solid * (std::min(T, transformation) - room_temperature) + liquid * std::max(0.0, T - transformation);
+        solid * (std::min(T, transformation) - core::room_temperature) + liquid * std::max(0.0, T - transformation);
     density.x.push_back(T);
     density.y.push_back(cold * std::exp(-3 * strain));
   };
@@ -114,7 +114,7 @@ void check_density(const Scene& scene, const CaseNode& glass) {
   constexpr double slack = 1e-6;  // K
   const core::Table density = scene.glass.relative_density();
   const TemperatureRange range = temperature_range(scene);
-  const double coldest = std::min(room_temperature, range.min_temperature), hottest = range.max_temperature;
+  const double coldest = std::min(core::room_temperature, range.min_temperature), hottest = range.max_temperature;
   if (density.x.front() <= coldest + slack && density.x.back() >= hottest - slack) return;
   core::refuse(
       CaseTable(glass, glass_keys()).get("material"),

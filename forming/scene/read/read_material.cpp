@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "forming/flow/viscosity/composition.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/scene/read/read_density.hpp"
@@ -66,8 +67,7 @@ flow::Viscosity read_points(const CaseNode& node) {
 
 double share_of(const CaseNode& oxide, const flow::OxideRange& range) {
   const double share = core::not_negative(oxide, dimension::none);
-  constexpr double round_off = 1e-9;
-  if (share < range.least - round_off || share > range.most + round_off)
+  if (share < range.least - core::round_off || share > range.most + core::round_off)
     core::refuse(oxide, fmt::format("{:.4g} % was found, allowed are {:.4g} to {:.4g} %, the range of the glasses that "
                                     "the model of Lakatos rests on; give the viscosity by vft or table",
                                     100 * share, 100 * range.least, 100 * range.most));

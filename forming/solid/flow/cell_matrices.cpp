@@ -14,7 +14,6 @@ namespace {
 using core::HexRule;
 using Gradients = Eigen::Matrix<double, hex_unknowns, Eigen::Dynamic>;
 
-constexpr int points_along = 3;
 /// Gauss points across the wall by the range of ln eta in a column of nodes: {up to, points}. With fewer, a cell's
 /// stiffness is off by more than 1 %.
 constexpr std::array<std::pair<double, int>, 4> points_by_range{{{1, 3}, {3, 4}, {5, 6}, {9, 8}}};

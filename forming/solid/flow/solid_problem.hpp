@@ -45,6 +45,8 @@ struct SolidProblem {
   std::vector<SolidTool> tools;
 };
 
+/// Gauss points along a side of a face.
+inline constexpr int points_along = 3;
 /// Points of each contact face: a Gauss rule of so many along either coordinate. The edge of contact lies between
 /// points.
 inline constexpr int contact_points_along = 4, contact_points_per_face = contact_points_along * contact_points_along;

@@ -7,8 +7,6 @@ namespace parison::flow {
 
 namespace {
 
-constexpr int points_along = 3;
-
 /// Adds to the nodes of a face what `force` (3 x 9) makes of each of its points.
 template <class Force>
 void add_face(const HexMesh& mesh, const HexFace& face, const Force& force, Eigen::VectorXd& forces) {

@@ -7,6 +7,7 @@
 
 #include "core/math/numbers.hpp"
 #include "core/solid/hex_geometry.hpp"
+#include "forming/flow/contact/grip.hpp"
 
 namespace parison::flow {
 
@@ -28,7 +29,6 @@ constexpr double bearable_tension = 2;  ///< share of the mean pressure of conta
 constexpr double few_share = 0.05;
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
-constexpr double grip_drag = 1e9;    ///< Pa.s/m, as in two dimensions
 constexpr double grip_reach = 1e-3;  ///< m
 
 double largest(const Eigen::VectorXd& velocity) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "forming/flow/solver.hpp"
 #include "forming/step/balance/expansion.hpp"
 #include "forming/step/contact/carrier.hpp"
@@ -10,13 +11,11 @@
 namespace parison::forming {
 namespace {
 
-constexpr double room_temperature = 293.15;  // K
-
 /// Change of volume of each quadrature point in one step of straight motion that scales lengths rightly.
 std::vector<double> shrinkage(const Scene& scene, const State& state) {
   const auto& shapes = core::cell_shapes<6>().value;
   const core::Table density = scene.glass.relative_density();
-  const double cold = density(room_temperature);
+  const double cold = density(core::room_temperature);
   std::vector<double> change;
   for (const auto& cell : state.glass.mesh.cells())
     for (int q = 0; q < core::cell_points; ++q) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/math/numbers.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/run/folder_run.hpp"
 #include "forming/state/sample.hpp"
@@ -68,7 +69,7 @@ class CycleObserver : public RunObserver {
       : scene_(scene),
         cycle_(cycle),
         used(scene.tools.size(), 0),
-        ends(scene.tools.size(), never),
+        ends(scene.tools.size(), core::infinity),
         ended(scene.tools.size()) {}
 
   void run_begins(const RunView& view) override {
@@ -111,7 +112,7 @@ class CycleObserver : public RunObserver {
 
   /// The time at which the cycle of the next tool ends; infinity where all have.
   double next_end() const {
-    double next = never;
+    double next = core::infinity;
     for (std::size_t t = 0; t < ends.size(); ++t)
       if (!ended[t]) next = std::min(next, ends[t]);
     return next;
@@ -120,7 +121,7 @@ class CycleObserver : public RunObserver {
   void add_sample(const State& state, const std::string& stage) {
     CycleSample sample{state.time, stage, {}, {}};
     for (std::size_t t = 0; t < state.tools.size(); ++t)
-      sample.tools.push_back(surfaces_[t].temperatures(state.tools[t], never));
+      sample.tools.push_back(surfaces_[t].temperatures(state.tools[t], core::infinity));
     for (std::size_t p = 0; p < scene_.probes.size(); ++p) {
       const Index body = scene_.probes[p].body;
       sample.probes.push_back(
@@ -129,8 +130,6 @@ class CycleObserver : public RunObserver {
     }
     samples.push_back(std::move(sample));
   }
-
-  static constexpr double never = std::numeric_limits<double>::infinity();
 
  private:
   const Scene& scene_;
@@ -150,7 +149,7 @@ class CycleObserver : public RunObserver {
 
 /// The tools alone until their cycles have ended.
 std::string idle_rest(const Scene& scene, State& tools, CycleObserver& observer) {
-  for (double end = observer.next_end(); end < CycleObserver::never; end = observer.next_end()) {
+  for (double end = observer.next_end(); end < core::infinity; end = observer.next_end()) {
     const State before = tools;
     const double rest = end - tools.time;
     const bool last = rest <= scene.output.interval * (1 + 1e-9);

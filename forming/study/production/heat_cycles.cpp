@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/math/numbers.hpp"
 #include "forming/step/idle/idle_tools.hpp"
 #include "forming/study/production/tool_fields.hpp"
 
@@ -83,17 +84,11 @@ FixedPointOutcome find_fixed_point(const Eigen::VectorXd& start, const VectorMap
   return std::move(search.outcome);
 }
 
-namespace {
-
-constexpr double never = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 HeatCycles::HeatCycles(const Scene& scene, const MachineCycle& cycle, const State& initial)
     : scene_(scene),
       cycle_(cycle),
       tools_(tools_of(initial)),
-      use_ends_(scene.tools.size(), never),
+      use_ends_(scene.tools.size(), core::infinity),
       kept_(scene.tools.size()),
       given_(scene.tools.size()) {}
 
@@ -111,12 +106,12 @@ std::optional<Eigen::VectorXd> HeatCycles::cycle_with(const Eigen::VectorXd& tem
   const std::vector<double> ends = tool_ends();
   for (double stage_end = 0, now = 0;; now = state.time) {
     if (now == stage_end && now > 0) ++state.stage, state.stage_start = now;
-    if (now == stage_end) stage_end = state.stage == last ? never : now + scene_.stages[state.stage].duration;
-    double next = never;
+    if (now == stage_end) stage_end = state.stage == last ? core::infinity : now + scene_.stages[state.stage].duration;
+    double next = core::infinity;
     for (const std::vector<double>* moments : {&ends, &use_ends_})
       for (const double moment : *moments)
         if (moment > now) next = std::min(next, moment);
-    if (next == never) return tool_temperatures(ended);
+    if (next == core::infinity) return tool_temperatures(ended);
     next = std::min(next, stage_end);
     if (!idle_tools(scene_, state, next - now).empty()) return std::nullopt;
     state.time = next;
@@ -132,7 +127,7 @@ bool HeatCycles::learn(const CycleRun& run) {
   State left = tools_;
   set_tool_temperatures(run.left, left);
   for (std::size_t t = 0; t < ends.size(); ++t) {
-    use_ends_[t] = run.used[t] > 0 ? std::min(ends[t] - cycle_.seconds_of(t) + run.used[t], ends[t]) : never;
+    use_ends_[t] = run.used[t] > 0 ? std::min(ends[t] - cycle_.seconds_of(t) + run.used[t], ends[t]) : core::infinity;
     kept_[t].setOnes(left.tools[t].temperature.size());
     given_[t].setZero(kept_[t].size());
   }

@@ -10,6 +10,7 @@
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
 #include "core/case/units.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/state/initial_state.hpp"
 #include "forming/step/heat/surroundings.hpp"
 #include "forming/step/idle/swabbed_tool.hpp"
@@ -164,15 +165,14 @@ void refuse_impossible(const Scene& scene, const MachineCycle& cycle) {
 }
 
 void refuse_short(const Scene& scene, const MachineCycle& cycle) {
-  constexpr double round_off = 1e-9;
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const auto& [begin, end] = cycle.uses[t];
-    if (end - begin > cycle.seconds_of(t) * (1 + round_off))
+    if (end - begin > cycle.seconds_of(t) * (1 + core::round_off))
       throw core::CaseError(
           fmt::format("{}: a machine cycle of {:.4g} s was found, but each container uses the tool \"{}\" for {:.4g} "
                       "s; allowed is a longer cycle, or sets of the tool that take turns: --sets {}={:.0f}",
                       scene.file, cycle.seconds, scene.tools[t].name, end - begin, scene.tools[t].name,
-                      std::ceil((end - begin) / cycle.seconds * (1 - round_off))));
+                      std::ceil((end - begin) / cycle.seconds * (1 - core::round_off))));
   }
 }
 

@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/numbers.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 
 namespace parison::forming {
 
 namespace {
-
-/// Differences below this share are round-off.
-constexpr double round_off = 1e-9;
 
 std::vector<double> difference(const std::vector<double>& coarse, const std::vector<double>& fine) {
   std::vector<double> found(fine.size());
@@ -60,11 +58,11 @@ Outcome corrected(const Outcome& run, const Correction& correction, const WallPa
 }
 
 bool is_misled(const Goal& goal, const Worth& coarse, const Worth& fine) {
-  const auto is_more = [](double a, double b) { return a - b > round_off * std::max(std::abs(a), std::abs(b)); };
+  const auto is_more = [](double a, double b) { return a - b > core::round_off * std::max(std::abs(a), std::abs(b)); };
   const auto good = good_value(goal);
   if (good && is_more(fine.value, *good) && is_more(fine.value, coarse.value)) return true;
   for (Eigen::Index i = 0; i < fine.excess.size(); ++i)
-    if (fine.excess[i] > round_off && is_more(fine.excess[i], coarse.excess[i])) return true;
+    if (fine.excess[i] > core::round_off && is_more(fine.excess[i], coarse.excess[i])) return true;
   return false;
 }
 

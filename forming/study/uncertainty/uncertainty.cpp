@@ -46,9 +46,8 @@ Noise noise_of(std::vector<double> values) {
 
 /// Values that are the same but for round-off become the same, so that no tolerance is said to make their scatter.
 std::vector<double> without_round_off(std::vector<double> values, const Quantity& at_mean) {
-  constexpr double round_off = 1e-9;
   const double bar = std::isfinite(at_mean.error) ? at_mean.error : 0;
-  const double negligible = round_off * std::max(std::abs(at_mean.value), bar);
+  const double negligible = core::round_off * std::max(std::abs(at_mean.value), bar);
   const bool same = std::all_of(values.begin(), values.end(), [&](double value) {
     return !std::isfinite(value) || std::abs(value - at_mean.value) <= negligible;
   });

@@ -10,7 +10,6 @@ namespace parison::thermal {
 
 namespace {
 
-constexpr double grazing = 1e-4;         ///< smallest cosine to the facet with which a ray starts
 constexpr int most_scalings = 50;        ///< of the rows
 constexpr double outline_share = 2;      ///< rays of a piece of an outline around all edges, over those of a patch
 constexpr double outline_margin = 1e-3;  ///< between all edges and an outline around them, of their size

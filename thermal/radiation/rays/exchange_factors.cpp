@@ -14,7 +14,6 @@ namespace {
 constexpr double trapped = 0.1;    ///< share of the light left where a ray ends that was reflected wholly so far
 constexpr int most_chords = 5000;  ///< of a ray; between two mirrors they are many
 constexpr double finest = 0.5;     ///< length of a segment of a ray, of a zone's box
-constexpr double grazing = 1e-4;   ///< smallest cosine to the facet with which a ray goes on
 
 /// Part of a ray in one zone.
 struct Segment {

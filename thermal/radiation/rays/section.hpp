@@ -11,6 +11,9 @@
 
 namespace parison::thermal {
 
+/// Smallest cosine to a facet with which a ray starts or goes on.
+inline constexpr double grazing = 1e-4;
+
 /// Where a ray leaves the body.
 struct Hit {
   double distance;  ///< m

@@ -23,12 +23,6 @@
 
 namespace parison::tools {
 
-namespace {
-
-constexpr unsigned poll_microseconds = 20000;
-
-}  // namespace
-
 CoarseRuns::CoarseRuns(std::vector<forming::CoarseCase> cases) : cases_(std::move(cases)) {}
 
 CoarseRuns::~CoarseRuns() {

@@ -20,8 +20,6 @@ using Json = nlohmann::ordered_json;
 /// Bytes of a page for each byte of a file: of the glass, whose places and fields are packed, and of a tool, whose
 /// temperatures are.
 constexpr double glass_share = 0.14, tool_share = 0.04;
-constexpr double steps = 65535;
-
 /// The range of places that words are spread over, mm.
 struct Box {
   float low[2], size;
@@ -41,15 +39,15 @@ Box box_of(const std::vector<std::array<float, 2>>& points, const Box* other = n
 }
 
 Json json_of(const Box& box) {
-  return {box.low[0], box.low[1], box.size / steps};
+  return {box.low[0], box.low[1], box.size / highest_word};
 }
 
 std::size_t pack_points(const std::vector<std::array<float, 2>>& points, const Box& box, PackedBytes& bytes) {
   std::vector<std::uint16_t> words;
   for (const int k : {0, 1})  // all of one direction together: neighbours in the list compress better
     for (const auto& point : points) {
-      const double share = steps * (point[static_cast<std::size_t>(k)] - box.low[k]) / box.size;
-      words.push_back(static_cast<std::uint16_t>(std::isfinite(share) ? std::clamp(share + 0.5, 0.0, steps) : 0));
+      const double share = highest_word * (point[static_cast<std::size_t>(k)] - box.low[k]) / box.size;
+      words.push_back(word_of(share));
     }
   return bytes.add_words(words);
 }

@@ -1,5 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,6 +14,12 @@ struct ByteValues {
   std::size_t at;  ///< place in the bytes
   double low, high;
 };
+
+/// A number from 0 to the highest as the nearest word; 0 where it is not finite.
+inline constexpr double highest_word = 65535;
+inline std::uint16_t word_of(double value) {
+  return static_cast<std::uint16_t>(std::isfinite(value) ? std::clamp(value + 0.5, 0.0, highest_word) : 0);
+}
 
 /// The numbers of a page, one after another; each list begins at a multiple of four bytes, little-endian.
 class PackedBytes {

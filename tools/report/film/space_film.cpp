@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double steps = 65535;
-
 /// Bytes of a node in a frame: three places and the wall as words, two fields as bytes.
 constexpr double bytes_of_node = 10;
 
@@ -26,8 +24,8 @@ struct Range {
     if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
   }
   std::uint16_t word_of(float value) const {
-    const double share = high > low ? steps * (value - low) / (double(high) - low) : 0;
-    return static_cast<std::uint16_t>(std::isfinite(share) ? std::clamp(share + 0.5, 0.0, steps) : 0);
+    const double share = high > low ? highest_word * (value - low) / (double(high) - low) : 0;
+    return tools::word_of(share);
   }
 };
 
@@ -121,7 +119,7 @@ nlohmann::ordered_json pack_space_film(const ResultFolder& folder, FileCache<Sol
                       {"thickness", pack_fine_field(*surface, "wall_thickness_mm", bytes)},
                       {"temperature", pack_field(*surface, "temperature_degC", bytes)},
                       {"contact", pack_field(*surface, "share_in_contact", bytes)}});
-  return {{"box", {box[0].low, box[1].low, box[2].low, (double(box[0].high) - box[0].low) / steps}},
+  return {{"box", {box[0].low, box[1].low, box[2].low, (double(box[0].high) - box[0].low) / highest_word}},
           {"copies", outputs.back().second->copies},
           {"frames", std::move(frames)},
           {"meshes", meshes.list()},

@@ -27,7 +27,6 @@ std::string without_escapes(std::string text) {
 }  // namespace
 
 VtuFile read_vtu(const std::string& path) {
-  constexpr int nodes_of_cell = 6;
   const auto grid = read_grid(path);
   const vtkIdType points = grid->GetNumberOfPoints();
   if (points > most_nodes) refuse_vtu(path, "has more than 65536 nodes");

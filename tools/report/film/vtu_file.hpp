@@ -8,6 +8,9 @@
 
 namespace parison::tools {
 
+/// Of a quadratic triangle.
+inline constexpr int nodes_of_cell = 6;
+
 /// A body at an output time, as a run has written it.
 struct VtuFile {
   std::vector<std::array<float, 2>> points;         ///< mm

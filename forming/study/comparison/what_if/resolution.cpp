@@ -27,7 +27,6 @@ constexpr double least_order = 0.5;
 constexpr double least_cost_order = 2, most_cost_order = 4;
 /// What is asked for may take so many times the CPU time of the last round, from the second on.
 constexpr double most_effort = 100;
-constexpr double round_off = 1e-9;
 
 /// Size of the units of quantities, SI, and their dimensions.
 struct QuantityUnit {
@@ -162,7 +161,7 @@ std::string ResolutionControl::label() const {
 }
 
 std::string ResolutionControl::too_small() const {
-  if (!(target_ < least_ * (1 - round_off))) return {};
+  if (!(target_ < least_ * (1 - core::round_off))) return {};
   return fmt::format(
       "\"{}\" was found, but no error bar of {} is below {:.2g} {}, {:g} of its scale; allowed are sizes "
       "from there on",
@@ -170,7 +169,7 @@ std::string ResolutionControl::too_small() const {
 }
 
 bool ResolutionControl::reached() const {
-  return bar_ <= target_ * (1 + round_off) && without_bar_.empty();
+  return bar_ <= target_ * (1 + core::round_off) && without_bar_.empty();
 }
 
 bool ResolutionControl::finished() const {

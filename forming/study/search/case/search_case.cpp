@@ -34,10 +34,9 @@ std::string point(int code, const core::Point& at) {
 /// Arcs of a drawing go counterclockwise.
 std::string entity(const core::Segment& segment, const std::string& layer) {
   if (!segment.is_arc) return group(0, "LINE") + group(8, layer) + point(10, segment.start) + point(11, segment.end);
-  constexpr double degree = 3.14159265358979323846 / 180;
   const double from = std::min(segment.from, segment.to), to = std::max(segment.from, segment.to);
   return group(0, "ARC") + group(8, layer) + point(10, segment.centre) + number(40, 1e3 * segment.radius) +
-         number(50, from / degree) + number(51, to / degree);
+         number(50, from / (M_PI / 180)) + number(51, to / (M_PI / 180));
 }
 
 bool same_outline(const core::Profile& a, const core::Profile& b) {
