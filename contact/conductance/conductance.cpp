@@ -35,6 +35,12 @@ bool TableConductance::clamps(double pressure_at, double viscosity_at) const {
   return !lies_on(pressure, pressure_at) || !lies_on(viscosity, viscosity_at);
 }
 
+double GapConductance::opening_after(double opening, double closing_rate, double time) const {
+  const double rate = 1 / opening_time + closing_rate;
+  const double settled = (open_gap - touch_gap) / (opening_time * rate);
+  return opening - (settled - opening) * std::expm1(-rate * time);
+}
+
 ConductanceValue conductance(const ConductanceLaw& law, double pressure, double viscosity) {
   assert(viscosity > 0);
   const core::Dual<double> p{std::max(pressure, 0.0), 0}, eta{viscosity, 1};

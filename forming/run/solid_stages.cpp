@@ -10,7 +10,6 @@
 
 #include "forming/run/fast_glass.hpp"
 #include "forming/run/room_in_tool.hpp"
-#include "forming/run/solid_extremes.hpp"
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_step.hpp"
 #include "forming/solid/straighten.hpp"
@@ -62,6 +61,45 @@ double clipped(const Scene& scene, const State& clock, double proposed) {
   const double until = outputs.empty() ? end : std::min(end, outputs.front() - clock.time);
   if (proposed >= until) return until;
   return proposed > 0.5 * until ? 0.5 * until : proposed;  // no very short step is left
+}
+
+Point in_plane(const core::Vector3& at) {
+  return {std::hypot(at[0], at[1]), at[2]};
+}
+
+/// The node of the contact surface that is hottest; -1 without one.
+Index hottest_contact_node(const SolidTool& tool) {
+  Index hottest = -1;
+  for (const core::QuadFace& face : tool.mesh.faces)
+    if (tool.mesh.boundaries[static_cast<std::size_t>(face.boundary_id)].kind == core::BoundaryKind::contact)
+      for (const Index node : face.nodes)
+        if (hottest < 0 || tool.temperature[node] > tool.temperature[hottest]) hottest = node;
+  return hottest;
+}
+
+/// Takes an accepted step into account, which ended at the time of `clock`; places are those in a plane through the
+/// axis.
+void follow_extremes(const Scene& scene, const State& clock, const SolidState& solid, Extremes& extremes) {
+  const Flags& flags = scene.output.flags;
+  for (std::size_t t = 0; t < solid.tools.size(); ++t) {
+    const SolidTool& tool = solid.tools[t];
+    const Index node = hottest_contact_node(tool);
+    if (node < 0) continue;
+    Extreme& extreme = extremes.tools[static_cast<std::size_t>(tool.tool)];
+    const double temperature = tool.temperature[node];
+    if (!(temperature <= extreme.temperature))
+      extreme.set(temperature, clock.time,
+                  in_plane(tool.mesh.nodes[node]) + clock.tools[tool.tool].offset * core::axis_direction());
+    const bool touched = std::any_of(
+        solid.glass.contact.begin(), solid.glass.contact.end(),
+        [&](const flow::SolidContact& point) { return point.touches && point.tool == static_cast<Index>(t); });
+    if (touched && temperature > flags.tool_surface_above) extreme.add_beyond(clock.time, solid.last_step);
+  }
+  Eigen::Index coldest = 0;
+  const double temperature = solid.glass.temperature.minCoeff(&coldest);
+  if (!(temperature >= extremes.glass.temperature))
+    extremes.glass.set(temperature, clock.time, in_plane(solid.glass.mesh.nodes[coldest]));
+  if (flags.glass_below && temperature < *flags.glass_below) extremes.glass.add_beyond(clock.time, solid.last_step);
 }
 
 /// A step that is accepted; false when the shortest is not, and the facts say why.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/process/clock.hpp"
 #include "core/process/work_times.hpp"
@@ -15,12 +16,41 @@
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
 #include "forming/step/step_control.hpp"
-#include "forming/step/symmetry_planes.hpp"
 #include "remesh/mesher/quality.hpp"
 
 namespace parison::forming {
 
 namespace {
+
+struct Plane {
+  core::Point at, inward;
+};
+
+/// The planes of symmetry, each once. Boundary edges have the glass on their left.
+std::vector<Plane> symmetry_planes(core::Geometry geometry, const core::Mesh& mesh) {
+  constexpr double same = 1e-6;  // of an angle, and of the length of an edge
+  std::vector<Plane> planes;
+  for (const core::BoundaryEdge& edge : mesh.boundary_edges()) {
+    if (mesh.kind_of(edge) != core::BoundaryKind::symmetry) continue;
+    const core::Point &first = mesh.nodes[edge.nodes[0]], along = mesh.nodes[edge.nodes[1]] - first;
+    const core::Point inward = core::Point(-along[1], along[0]).normalized();
+    const bool on_axis = geometry == core::Geometry::axisymmetric && std::abs(inward[0]) > std::abs(inward[1]);
+    const auto is_same = [&](const Plane& other) {
+      return inward.dot(other.inward) > 1 - same && std::abs(other.inward.dot(first - other.at)) < same * along.norm();
+    };
+    if (!on_axis && std::none_of(planes.begin(), planes.end(), is_same)) planes.push_back({first, inward});
+  }
+  return planes;
+}
+
+/// How far the furthest node of the glass lies beyond a plane of symmetry of its own, m; the axis is none.
+double depth_beyond_symmetry_planes(core::Geometry geometry, const core::Mesh& mesh) {
+  double depth = 0;
+  for (const Plane& plane : symmetry_planes(geometry, mesh))
+    for (const core::BoundaryEdge& edge : mesh.boundary_edges())
+      depth = std::max(depth, plane.inward.dot(plane.at - mesh.nodes[edge.nodes[0]]));
+  return depth;
+}
 
 /// Gives how far the furthest node went beyond the axis, where it is put back, or lies beyond a plane of symmetry, m.
 double move_nodes(core::Geometry geometry, const Eigen::VectorXd& velocity, double dt, core::Mesh& mesh) {

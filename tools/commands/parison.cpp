@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -15,7 +17,6 @@
 #include "tools/program/blas_threads.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/kept_memory.hpp"
-#include "tools/program/standard_streams.hpp"
 
 namespace {
 
@@ -36,17 +37,26 @@ tools::ExitCode code_of(const std::error_code& error) {
   return tools::run_failed;
 }
 
+/// Opens standard input, output and error on /dev/null where they are closed. A file opened later would otherwise get
+/// the number of standard output, and what is printed would go into the results.
+void open_standard_streams() {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = ::open("/dev/null", O_RDWR);
+  if (file > STDERR_FILENO) ::close(file);
+}
+
 /// Runs the command; its results may be there, yet what it printed is lost where that could not be written.
 int run(const tools::Command& command) {
   const int code = command();
-  if (tools::output_was_written() || code != 0) return code;
+  const bool was_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (was_written || code != 0) return code;
   return fail(tools::run_failed, "not all that was printed could be written to the standard output");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  tools::open_standard_streams();
+  open_standard_streams();
   CLI::App app("Parison: forming of glass containers, from the gob to the take-out.");
   app.set_version_flag("--version", PARISON_VERSION);
   tools::Command command;
