@@ -41,7 +41,7 @@ function fieldOf([key, label, value, line], wrongOne, goTo) {
   const input = element("input", { id, value, spellcheck: "false", disabled: model.bundled, "aria-invalid": wrong ? "true" : null, "aria-describedby": wrong ? `${id}-wrong` : null });
   const send = () => input.value !== value && change("set", { set: [`${key}=${input.value}`] }).then((done) => !done && (input.value = value));
   input.addEventListener("change", send);
-  input.addEventListener("keydown", (event) => event.key === "Escape" && (input.value = value));
+  input.addEventListener("keydown", (event) => (event.key === "Enter" ? send() : event.key === "Escape" && (input.value = value))); // no change event follows what was put back
   return element("div", { class: "field" }, element("label", { for: id, title: key }, label.replace(/_/g, " ")), input,
     wrong ? element("p", { class: "bad", id: `${id}-wrong` }, problem.sentence, " ", element("button", { class: "link", onclick: () => goTo(problem) }, `${word("line")} ${line}`)) : null);
 }
@@ -64,9 +64,9 @@ export function valueFields(goTo) {
     const again = focused && document.getElementById(focused.id);
     if (!again) return;
     again.focus({ preventScroll: true });
-    if (focused.value === focused.defaultValue) return; // else it is being typed in
-    again.value = focused.value;
-    again.setSelectionRange(...selection);
+    const isAll = selection[0] === 0 && selection[1] === focused.value.length;
+    if (focused.value !== focused.defaultValue) again.value = focused.value; // it is being typed in
+    again.setSelectionRange(...(isAll ? [0, again.value.length] : selection)); // what is typed next goes where it was to go
   };
   on("case", show);
   let before = "";
