@@ -13,6 +13,7 @@
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "forming/study/search/minimum/scalar_search.hpp"
 #include "forming/study/search/search_result.hpp"
+#include "tools/program/bundled_cases.hpp"
 #include "tools/program/exit_codes.hpp"
 #include "tools/program/folder_lock.hpp"
 #include "tools/program/stop_request.hpp"
