@@ -22,12 +22,6 @@ using core::Point;
 
 constexpr double mm = 1e-3, same = 1e-7;  // m
 
-const CaseNode* member(const CaseNode& node, const std::string& name) {
-  for (const CaseNode& item : node.items)
-    if (item.name == name) return &item;
-  return nullptr;
-}
-
 /// A boundary of a tool as it is in the file.
 struct Target {
   std::string directory, tool_key;  ///< "tool.2"
