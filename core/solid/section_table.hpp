@@ -22,6 +22,7 @@ class ReachTable {
   Value at(double height, double angle) const;
   /// Mean of the square of the reach over the angle, m2: the area within the border over pi.
   double mean_square(double height) const;
+  const std::vector<double>& heights() const { return heights_; }
   double low() const { return heights_.front(); }
   double high() const { return heights_.back(); }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/io/files.hpp"
+#include "core/solid/section_table.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/preset_scales.hpp"
 #include "forming/scene/read/read_density.hpp"
@@ -119,7 +120,19 @@ std::string text_of(const Scene& scene, const std::vector<std::string>& library)
   return text;
 }
 
-/// Of the text of the case and of all outlines, which may be in other files.
+/// Digits that change with sections that were measured on a solid.
+std::string text_of(const core::MeasuredSections& sections) {
+  std::string text;
+  const auto add = [&](const core::ReachTable& border) {
+    for (const double height : border.heights())
+      text += fmt::format("{} {} {}\n", height, border.mean_square(height), border.at(height, M_PI_4).reach);
+  };
+  add(sections.outer);
+  if (sections.inner) add(*sections.inner);
+  return text;
+}
+
+/// Of the text of the case and of all outlines and sections, which may be in other files.
 std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
   const auto add = [&](const Body& body) {
     if (body.start_field) text += start_field_text(*body.start_field, body.profile);
@@ -127,7 +140,10 @@ std::uint64_t fingerprint_of(std::string text, const Scene& scene) {
       text += fmt::format("{} {} {} {} {} {}\n", s.end[0], s.end[1], s.centre[0], s.centre[1], s.from, s.to);
   };
   add(scene.glass);
-  for (const Tool& tool : scene.tools) add(tool);
+  for (const Tool& tool : scene.tools) {
+    add(tool);
+    if (tool.section.measured) text += text_of(*tool.section.measured);
+  }
   return core::fingerprint(text);
 }
 

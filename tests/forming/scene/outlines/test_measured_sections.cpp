@@ -16,9 +16,10 @@ constexpr double mm = 1e-3;
 constexpr double deflection = 2e-3 / 30;  // of the triangles of a solid, over the half width of the hole
 namespace occ = gmsh::model::occ;
 
-/// The face of a square of 60 mm with corners of 12 mm at a height, mm.
-int rounded_square(double z) {
-  constexpr double half = 30, corner = 12, side = half - corner;
+/// The face of a square of 60 mm with round corners at a height, mm.
+int rounded_square(double z, double corner) {
+  constexpr double half = 30;
+  const double side = half - corner;
   std::vector<int> curves;
   for (int i = 0; i < 4; ++i) {
     const auto turned = [&](double x, double y) {
@@ -33,13 +34,13 @@ int rounded_square(double z) {
 
 /// A half of a mould on the side of x, of 60 mm radius and 100 mm height, with a square hole of 70 mm depth that is off
 /// the axis by `aside`, mm.
-std::string mould_half(const std::string& name, double aside = 0, double width = 200) {
+std::string mould_half(const std::string& name, double aside = 0, double width = 200, double corner = 12) {
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::model::add(name);
   gmsh::vectorpair hole, half, map_to;
   std::vector<gmsh::vectorpair> map;
-  occ::extrude({{2, rounded_square(0)}}, 0, 0, 70, hole);
+  occ::extrude({{2, rounded_square(0, corner)}}, 0, 0, 70, hole);
   occ::translate({hole[1]}, 0, aside, 0);
   occ::cut({{3, occ::addCylinder(0, 0, 0, 0, 0, 100, 60)}}, {hole[1]}, half, map);
   occ::intersect(half, {{3, occ::addBox(0, -width / 2, -10, 200, width, 200)}}, map_to, map);
@@ -103,6 +104,14 @@ TEST(MeasuredSections, the_place_along_the_axis_is_that_of_the_origin) {
   const Tool measured =
       mould_of("{ file = \"" + mould_half("mould.step") + "\", axis = \"-z\", origin = \"(0, -70) mm\" }");
   EXPECT_NEAR(core::reach(measured.section, {0.03, 0.035}, M_PI_4), (18 * std::sqrt(2.0) + 12) / 30, deflection);
+}
+
+TEST(MeasuredSections, a_solid_with_other_corners_makes_another_case) {
+  const auto fingerprint = [](double corner) {
+    return scene_of(with_mould(of_file(mould_half("mould.step", 0, 200, corner)))).fingerprint;
+  };
+  EXPECT_EQ(fingerprint(12), fingerprint(12));
+  EXPECT_NE(fingerprint(12), fingerprint(11.9));
 }
 
 TEST(MeasuredSections, cavities_that_are_none_are_refused) {
