@@ -77,11 +77,14 @@ double mean_radius(const Shell& shell, std::size_t element) {
 }
 
 /// Sides on a plate; inside of a part that is flat only those at its outer edge. Where none is as near as that, those
-/// within twice the distance.
+/// within twice the distance; none of a closed shell of which all stands.
 std::set<long> base_nodes(const Shell& shell, const std::vector<Side>& sides, int up) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const ShellNode& node : shell.nodes) lowest = std::min(lowest, up * node.outer);
-  for (double near = 0.02;; near *= 2) {  // mm
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const ShellNode& node : shell.nodes) {
+    lowest = std::min(lowest, up * node.outer);
+    highest = std::max(highest, up * node.outer);
+  }
+  for (double near = 0.02; near < 0.04 + 2 * (highest - lowest); near *= 2) {  // mm
     const auto stands = [&](long node) { return up * node_of(shell, node).outer <= lowest + near; };
     const auto all_stand = [&](const auto& nodes) { return std::all_of(nodes.begin(), nodes.end(), stands); };
     const auto is_outermost = [&](const Side& side) {
@@ -96,6 +99,7 @@ std::set<long> base_nodes(const Shell& shell, const std::vector<Side>& sides, in
     for (const Side& side : found) nodes.insert(side.nodes.begin(), side.nodes.end());
     if (!nodes.empty()) return nodes;
   }
+  return {};
 }
 
 }  // namespace
