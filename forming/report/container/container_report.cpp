@@ -163,8 +163,8 @@ std::string capacity_text(const Scene& scene, const State& state, bool is_wall) 
   std::string text = fmt::format("{} ml to the rim", millilitres(*report->capacity));
   const bool is_as_drawn = !differs(*report->capacity, plan.capacity);
   if (!is_as_drawn)
-    text += fmt::format(" at {:.5g} mm, drawn {} ml at {:.5g} mm", report->rim / core::millimetre,
-                        millilitres(*plan.capacity), *plan.rim / core::millimetre);
+    text += fmt::format(" at {} mm, drawn {} ml at {} mm", place_in_mm(report->rim), millilitres(*plan.capacity),
+                        place_in_mm(*plan.rim));
   if (!report->filled) return text + cold_text(*report);
   text += fmt::format("{} {} ml to {:.4g} mm below it", is_as_drawn ? "," : ";", millilitres(*report->filled),
                       *scene.output.fill_level / core::millimetre);

@@ -70,4 +70,7 @@ std::string describe_container(const Scene& scene);
 /// The last stage that does not cool the glass, in which the container stands as drawn; the last one where all do.
 const Stage& last_forming_stage(const Scene& scene);
 
+/// A place on the axis, m, in mm to a hundredth: no longer than a person would write it, and never "-0".
+std::string place_in_mm(double place);
+
 }  // namespace parison::forming

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/unusual.hpp"
@@ -45,6 +46,11 @@ std::string why_no_capacity(const Scene& scene, const ContainerPlan& plan) {
 
 }  // namespace
 
+std::string place_in_mm(double place) {
+  constexpr double hundredths = 1e5;
+  return fmt::format("{:.12g}", std::round(hundredths * place) / 100 + 0.0);  // + 0.0 makes 0 of -0
+}
+
 std::string describe_container(const Scene& scene) {
   const auto& plan = scene.container;
   if (!plan) return "";
@@ -64,7 +70,7 @@ std::string describe_container(const Scene& scene) {
     line("mould",
          fmt::format("{:.5g} cm3 closed in stage \"{}\"", 1e6 * *plan->outside, last_forming_stage(scene).name));
   if (plan->capacity)
-    line("capacity", fmt::format("{:.5g} ml to the rim at {:.4g} mm", 1e6 * *plan->capacity, 1e3 * *plan->rim));
+    line("capacity", fmt::format("{:.5g} ml to the rim at {} mm", 1e6 * *plan->capacity, place_in_mm(*plan->rim)));
   else if (forms_a_container(scene))
     line("capacity", why_no_capacity(scene, *plan));
   if (plan->filled)
