@@ -58,6 +58,12 @@ void straighten_inverted(Mesh& mesh) {
   }
 }
 
+std::vector<bool> in_surface(const std::vector<core::MeshBoundary>& boundaries) {
+  std::vector<bool> result;
+  for (const core::MeshBoundary& boundary : boundaries) result.push_back(boundary.kind != core::BoundaryKind::symmetry);
+  return result;
+}
+
 }  // namespace
 
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
@@ -65,6 +71,7 @@ MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshB
   Triangulation triangles = mesher(outline, size);
   if (!triangles.reason.empty()) return {{}, triangles.reason};
   smooth_poor_triangles(outline.vertices.size(), poor, triangles);
+  thin_first_cells(outline, in_surface(boundaries), straighten_below, triangles);
   MeshedOutline result;
   Mesh& mesh = result.mesh;
   mesh.nodes = std::move(triangles.vertices);

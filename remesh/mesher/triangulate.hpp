@@ -26,4 +26,9 @@ Triangulation triangulate_by_gmsh(const Outline& outline, const SizeField& size,
 /// that betters the worst triangle round them.
 void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh);
 
+/// Moves the inner vertices beside the surface, the outline where `in_surface` of its boundary, towards it: the first
+/// cells, in which a thermal skin lies, become thinner and the next ones thicker, without more of them. Not where
+/// surface lies on both sides, nor where a triangle would become poorer than `poor`.
+void thin_first_cells(const Outline& outline, const std::vector<bool>& in_surface, double poor, Triangulation& mesh);
+
 }  // namespace parison::remesh

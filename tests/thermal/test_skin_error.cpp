@@ -13,10 +13,13 @@ namespace {
 
 constexpr double conductivity = 1.3, density = 2400, heat_capacity = 1300, start = 1300, air = 300;
 
-/// Error of the heat that a slab on cells of equal height gives to air through h in a time; the slab is deep.
-double error_of_program(double cell, double h, double time) {
+/// Error of the heat that a slab on cells of equal height, but for the first two, gives to air through h in a time; the
+/// slab is deep.
+double error_of_program(double cell, double h, double time, double first = 1) {
   const Material material{density, core::constant(heat_capacity), core::constant(conductivity), {}};
-  const core::Mesh mesh = rectangle({0, cell, 2 * cell}, divide(0, 40 * cell, 40));
+  std::vector<double> heights = divide(0, 40 * cell, 40);
+  heights[1] = first * cell;
+  const core::Mesh mesh = rectangle({0, cell, 2 * cell}, heights);
   Problem problem{core::Geometry::planar, {body(mesh, material)}, {}, {}};
   problem.bodies[0].exchange.assign(4, std::nullopt);
   problem.bodies[0].exchange[bottom] = SurfaceExchange{h, air};
@@ -44,6 +47,18 @@ TEST(SkinError, is_that_of_the_program_within_a_third_and_seldom_less_where_the_
       EXPECT_GT(estimated, 0.9 * found - 1e-3);
       EXPECT_LT(estimated, 1.35 * found + 1e-3);
     }
+}
+
+TEST(SkinError, of_a_first_cell_of_seven_tenths_is_half_as_large_while_the_skin_is_thin_and_small_afterwards) {
+  const double diffusivity = conductivity / (density * heat_capacity), cell = 1e-3;
+  const auto error = [&](double fourier, double biot, double first) {
+    return std::abs(error_of_program(cell, biot * conductivity / cell, fourier * cell * cell / diffusivity, first));
+  };
+  for (const double biot : {0.5, 2.0, 8.0}) {
+    for (const double fourier : {0.03, 0.1}) EXPECT_LT(error(fourier, biot, 0.7), 0.5 * error(fourier, biot, 1));
+    for (const double fourier : {0.3, 1.0, 3.0}) EXPECT_LT(error(fourier, biot, 0.7), 1.5e-3);
+    EXPECT_GT(error(0.3, biot, 0.4), 2 * error(0.3, biot, 0.7));
+  }
 }
 
 TEST(SkinError, of_two_bodies_is_that_of_one_where_the_other_conducts_perfectly) {
