@@ -32,10 +32,7 @@ TEST(StageEnd, a_force_ends_the_stage_whatever_its_sign) {
 }
 
 TEST(StageEnd, a_tool_that_slows_suddenly_is_at_rest_when_it_is_slow_and_not_when_it_is_foretold_to_be) {
-  const auto pressing =
-      replaced("motion.press = { offset = [[\"0 s\", \"0 mm\"], [\"2 s\", \"-4 mm\"]] }",
-               "motion.press = { force = \"-1 kN\", speed_limit = \"10 mm/s\" }\nend_speed = \"5 mm/s\"");
-  const Scene scene = scene_of(pressing);
+  const Scene scene = scene_of(replaced(pressed, pressed + "end_speed = \"5 mm/s\"\n"));
   State state = initial_state(scene);
   state.stage = 1, state.stage_time = 0.1, state.last_step = 3e-4, state.next_step = 3e-4, state.has_moved = true;
   state.tools[1].velocity = -11e-3, state.tools[1].slowing = 5000;  // after a step at 47 mm/s
