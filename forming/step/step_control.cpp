@@ -31,6 +31,15 @@ double work_share(const Scene& scene, const StepReport& report) {
   return std::sqrt(report.work_error / scene.accuracy.work_per_step);
 }
 
+/// By how much heat that was not foreseen made a step wrong, over what it may be. The motion is wrong by the
+/// deformation of the step at the most: one as small as the error of a step of the longest deformation, its square,
+/// needs no shorter one. So a spot of stiff glass that its cooling opens and closes at every step does not shorten them
+/// for ever.
+double unforeseen_share(const Scene& scene, const StepReport& report) {
+  const double usual = scene.accuracy.strain_per_step * scene.accuracy.strain_per_step;
+  return std::min(std::sqrt(report.unforeseen_error / scene.accuracy.work_per_step), report.strain / usual);
+}
+
 /// What a step with such a landed length, m, and error of the work changed over what it may change (the largest share
 /// of strain, landing, work, temperature and motion), and which it was.
 std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report, double landed, double work_error) {
@@ -38,7 +47,7 @@ std::pair<double, StepLimit> load(const Scene& scene, const StepReport& report, 
       {std::pair(report.strain / scene.accuracy.strain_per_step, StepLimit::strain),
        std::pair(landed / (scene.accuracy.landing_per_step * scene.accuracy.surface_size), StepLimit::landing),
        std::pair(std::sqrt(work_error / scene.accuracy.work_per_step), StepLimit::work),
-       std::pair(std::sqrt(report.unforeseen_error / scene.accuracy.work_per_step), StepLimit::temperature),
+       std::pair(unforeseen_share(scene, report), StepLimit::temperature),
        std::pair(report.temperature_change / scene.accuracy.temperature_per_step, StepLimit::temperature),
        std::pair(report.predictor_corrector_difference / scene.accuracy.motion_tolerance, StepLimit::motion)});
 }
