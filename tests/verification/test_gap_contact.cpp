@@ -228,15 +228,19 @@ double conductance_of(const Scene& scene, const State& state) {
   return sum;
 }
 
-double heat_of_steps(const Scene& scene, State state, int steps) {
-  const double before = state.totals.to_tools;
+/// The state after steps of 2 ms.
+State after_steps(const Scene& scene, State state, int steps) {
   Workspace workspace;
   for (int i = 0; i < steps; ++i) {
     auto result = coupled_step(scene, state, 2e-3, workspace);
     EXPECT_TRUE(result.converged) << result.reason;
     state = std::move(result.state);
   }
-  return state.totals.to_tools - before;
+  return state;
+}
+
+double heat_of_steps(const Scene& scene, const State& state, int steps) {
+  return after_steps(scene, state, steps).totals.to_tools - state.totals.to_tools;
 }
 
 class PressedPot : public ::testing::Test {
@@ -254,6 +258,10 @@ class PressedPot : public ::testing::Test {
 };
 
 TEST_F(PressedPot, keeps_its_gaps_through_a_new_mesh_in_mid_contact) {
+  // A first new mesh has a node at each corner of the tools, beside which edges may have stood off.
+  const RemeshedState cornered = remesh_state(scene, state, RemeshReason::quality);
+  ASSERT_TRUE(cornered.ok) << cornered.reason;
+  state = after_steps(scene, cornered.state, 10);
   const RemeshedState remeshed = remesh_state(scene, state, RemeshReason::quality);
   ASSERT_TRUE(remeshed.ok) << remeshed.reason;
   EXPECT_GT(state.glass.contact_opening.maxCoeff(), 5e-6);
