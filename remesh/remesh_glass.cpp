@@ -75,7 +75,7 @@ Remeshed mesh_anew(const Mesh& old, const Criteria& criteria, const SizeField& s
     result.reason = describe(crossings, surface, volume);
     return result;
   }
-  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size, mesher);
+  MeshedOutline meshed = mesh_outline(surface.outline, old.boundaries(), size, mesher, criteria.has_skin);
   if (!meshed.reason.empty()) {
     result.reason = "the glass cannot be remeshed: " + meshed.reason;
     return result;
@@ -123,7 +123,7 @@ MeshedInside mesh_inside(const Mesh& mesh, const Mesh& old, const Criteria& crit
     if (i + 1 == edges.size() || edges[i + 1].nodes[0] != last) outline.loop_start.push_back(outline.edge_count());
   }
   const SizeField size = size_field(without_collapsed_edges(old, criteria.contact), criteria);
-  MeshedOutline meshed = mesh_outline(outline, mesh.boundaries(), size, mesher);
+  MeshedOutline meshed = mesh_outline(outline, mesh.boundaries(), size, mesher, criteria.has_skin);
   return {std::move(meshed.mesh), std::move(meshed.reason)};
 }
 

@@ -138,6 +138,7 @@ remesh::Criteria remesh_criteria(const Scene& scene, const State& state) {
   result.min_size = min_edge_fraction * accuracy.skin_size;
   result.straight_boundaries = core::boundaries_of_kind(mesh, BoundaryKind::symmetry);
   result.contact.assign(mesh.nodes.size(), false);
+  result.has_skin = scene.has_heat();
   if (scene.has_flow() && state.glass.temperature.size() > 0)
     result.target_skin_size = viscosity_target_sizes(scene, state);
   else

@@ -20,6 +20,7 @@ remesh::ProfileSizes first_sizes(const Scene& scene, Index index, double size, d
   sizes.size = body.mesh.size.value_or(size);
   sizes.growth = body.mesh.growth.value_or(growth);
   sizes.fine_boundaries = contact_boundaries(body);
+  sizes.has_skin = scene.has_heat();
   double edge = contact_edge(scene, index, contact_size);
   const Index last_stage = last_meshed_stage(scene);
   for (std::size_t b = 0; b < body.boundaries.size(); ++b) {

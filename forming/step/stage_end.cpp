@@ -105,16 +105,6 @@ StageEnd reason_of(EndCondition::Kind kind) {
 
 /// A stage ends when its tools will be at rest within this share of the last step, or of the longest one allowed now.
 constexpr double rest_tolerance = 0.02;
-/// Beyond its end speed by this factor no tool is at rest, however fast it slows: it may do so after a jolt alone, as
-/// where a new mesh has left a gap that is closed at once.
-constexpr double near_rest = 1.05;
-
-/// Whether every tool that a force drives was as slow in the last step as ends its stage, or nearly so.
-bool are_slow(const State& state, const Stage& stage) {
-  return std::all_of(stage.tools.begin(), stage.tools.end(), [&](const StageTool& tool) {
-    return !tool.is_driven() || std::abs(state.tools[tool.tool].velocity) <= near_rest * *stage.end_speed;
-  });
-}
 
 }  // namespace
 
@@ -140,8 +130,7 @@ double longest_stage_time(const Scene& scene, const State& state) {
 StageEnd stage_end(const Scene& scene, const State& state) {
   const Stage& stage = scene.stages[state.stage];
   if (state.stage_time >= longest_stage_time(scene, state) - same_time) return StageEnd::duration;
-  if (time_to_rest(scene, state) <= rest_tolerance * std::max(state.last_step, state.next_step) &&
-      are_slow(state, stage))
+  if (time_to_rest(scene, state) <= rest_tolerance * std::max(state.last_step, state.next_step))
     return StageEnd::tools_at_rest;
   if (state.stage_time > 0)
     for (const EndCondition& end : stage.ends)

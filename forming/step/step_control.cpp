@@ -36,8 +36,9 @@ double work_share(const Scene& scene, const StepReport& report) {
 /// needs no shorter one. So a spot of stiff glass that its cooling opens and closes at every step does not shorten them
 /// for ever.
 double unforeseen_share(const Scene& scene, const StepReport& report) {
-  const double usual = scene.accuracy.strain_per_step * scene.accuracy.strain_per_step;
-  return std::min(std::sqrt(report.unforeseen_error / scene.accuracy.work_per_step), report.strain / usual);
+  const double share = std::sqrt(report.unforeseen_error / scene.accuracy.work_per_step);
+  const double small = scene.accuracy.strain_per_step * scene.accuracy.strain_per_step;
+  return std::min(share, std::max(safety_factor, report.strain / small));
 }
 
 /// What a step with such a landed length, m, and error of the work changed over what it may change (the largest share

@@ -67,11 +67,11 @@ std::vector<bool> in_surface(const std::vector<core::MeshBoundary>& boundaries) 
 }  // namespace
 
 MeshedOutline mesh_outline(const Outline& outline, const std::vector<core::MeshBoundary>& boundaries,
-                           const SizeField& size, const Mesher& mesher) {
+                           const SizeField& size, const Mesher& mesher, bool has_skin) {
   Triangulation triangles = mesher(outline, size);
   if (!triangles.reason.empty()) return {{}, triangles.reason};
   smooth_poor_triangles(outline.vertices.size(), poor, triangles);
-  thin_first_cells(outline, in_surface(boundaries), straighten_below, triangles);
+  if (has_skin) thin_first_cells(outline, in_surface(boundaries), straighten_below, triangles);
   MeshedOutline result;
   Mesh& mesh = result.mesh;
   mesh.nodes = std::move(triangles.vertices);

@@ -50,7 +50,7 @@ core::Mesh mesh_profile(const core::Profile& profile, const ProfileSizes& sizes)
     }
   }
   outline.loop_start.push_back(outline.edge_count());
-  MeshedOutline result = mesh_outline(outline, boundaries_of(profile), field);
+  MeshedOutline result = mesh_outline(outline, boundaries_of(profile), field, triangulate, sizes.has_skin);
   if (!result.reason.empty()) throw core::RunError("the profile cannot be meshed: " + result.reason);
   return std::move(result.mesh);
 }

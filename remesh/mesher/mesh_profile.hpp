@@ -14,6 +14,7 @@ struct ProfileSizes {
   double growth;                         ///< increase of the edge per metre of distance from the fine boundaries
   std::vector<bool> fine_boundaries;     ///< one flag for each boundary of the profile
   std::vector<SizeSource> sources = {};  ///< wishes for smaller edges anywhere
+  bool has_skin = false;                 ///< a thermal skin under its surface, in which the first cells are thinner
 };
 
 /// Quadratic mesh of a body, its boundary nodes on the exact lines and arcs. Throws core::RunError with the

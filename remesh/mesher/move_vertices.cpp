@@ -58,6 +58,21 @@ Point nearest_on(const Point& from, const Point& to, const Point& x) {
   return from + std::clamp((x - from).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
+/// The shortest of some ways to a surface, m; shorter, down to nothing, the more the surface also lies elsewhere, as in
+/// a corner or a thin wall. It changes continuously with the ways.
+Point towards_surface(const std::vector<Point>& ways) {
+  const Point nearest =
+      *std::min_element(ways.begin(), ways.end(), [](const Point& a, const Point& b) { return a.norm() < b.norm(); });
+  double elsewhere = 0;  // 1 as near on the other side, 1/2 as near at a right angle
+  for (const Point& way : ways) {
+    const double nearness = nearest.norm() / way.norm();
+    const double cosine = way.dot(nearest) / (way.norm() * nearest.norm());
+    elsewhere = std::max(elsewhere, 0.5 * (1 - cosine) * nearness * nearness);
+  }
+  constexpr double beside = 0.1, corner = 0.5;  // of a flat surface, of a corner of 90 degrees
+  return std::clamp((corner - elsewhere) / (corner - beside), 0.0, 1.0) * nearest;
+}
+
 }  // namespace
 
 void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh) {
@@ -78,25 +93,19 @@ void smooth_poor_triangles(std::size_t fixed, double poor, Triangulation& mesh) 
 }
 
 void thin_first_cells(const Outline& outline, const std::vector<bool>& in_surface, double poor, Triangulation& mesh) {
-  constexpr double opposite = -0.3;  // cosine of directions to the surface on two sides
   const auto edges = edges_at(outline, in_surface);
   const Rounds round = rounds_of(mesh);
   const std::size_t fixed = outline.vertices.size();
   for (std::size_t vertex = fixed; vertex < mesh.vertices.size(); ++vertex) {
     const Point x = mesh.vertices[vertex];
-    std::vector<Point> beside;
+    std::vector<Point> ways;
     for (const std::size_t t : round[vertex])
       for (const Index corner : mesh.triangles[t])
         if (static_cast<std::size_t>(corner) < fixed)
           for (const auto& [from, to] : edges[corner])
-            beside.push_back(nearest_on(mesh.vertices[from], mesh.vertices[to], x) - x);
-    if (beside.empty()) continue;
-    const Point nearest = *std::min_element(beside.begin(), beside.end(),
-                                            [](const Point& a, const Point& b) { return a.norm() < b.norm(); });
-    if (std::any_of(beside.begin(), beside.end(),
-                    [&](const Point& other) { return other.dot(nearest) < opposite * other.norm() * nearest.norm(); }))
-      continue;
-    mesh.vertices[vertex] = x + (1 - first_height) * nearest;
+            ways.push_back(nearest_on(mesh.vertices[from], mesh.vertices[to], x) - x);
+    if (ways.empty()) continue;
+    mesh.vertices[vertex] = x + (1 - first_height) * towards_surface(ways);
     if (min_quality_round(mesh, round[vertex]) < poor) mesh.vertices[vertex] = x;
   }
 }

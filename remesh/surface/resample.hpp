@@ -33,6 +33,7 @@ struct Criteria {
   /// Approximate limit of the number of cells; where it is exceeded, all edge lengths grow by the same factor.
   double max_cells = std::numeric_limits<double>::infinity();
   ExteriorProjection project_out = {};  ///< projection out of the active tools
+  bool has_skin = false;                ///< a thermal skin under the surface, in which the first cells are thinner
 };
 
 /// A resampled surface with flags for its points: all vertices, then all mid points, in the order of the outline.

@@ -23,9 +23,12 @@ double temperature_slowing(double before, double after, double interval) {
   return before * after > 0 && std::abs(after) < std::abs(before) ? (1 - after / before) / interval : 0;
 }
 
-/// Rate at which the logarithm of a speed falls, 1/s; 0 where the speed does not fall or turns.
-double slowing(double before, double after, double interval) {
-  return before * after > 0 && std::abs(after) < std::abs(before) ? std::log(before / after) / interval : 0;
+/// Rate at which the logarithm of a speed falls, 1/s; 0 where the speed does not fall or turns. After a jolt, as where
+/// a new mesh has left a gap that closes at once, it falls by much in one step and not in the next: a rate far above
+/// the `last` one counts when it lasts.
+double slowing(double before, double after, double interval, double last) {
+  if (before * after <= 0 || std::abs(after) >= std::abs(before)) return 0;
+  return std::min(std::log(before / after), 2 * last * interval + 0.5) / interval;
 }
 
 }  // namespace
@@ -91,7 +94,8 @@ void update_rates(const State& before, double dt, State& after) {
   if (before.last_step == 0) return;
   const double interval = 0.5 * (before.last_step + dt);
   for (std::size_t i = 0; i < after.tools.size(); ++i)
-    after.tools[i].slowing = slowing(before.tools[i].velocity, after.tools[i].velocity, interval);
+    after.tools[i].slowing =
+        slowing(before.tools[i].velocity, after.tools[i].velocity, interval, before.tools[i].slowing);
   for (Index n = 0; n < static_cast<Index>(after.glass.contact_tool.size()); ++n) {
     const Index tool = after.glass.contact_tool[n];
     if (before.glass.contact_tool[n] == tool && before.glass.previous_contact_tool[n] == tool)

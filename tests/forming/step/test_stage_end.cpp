@@ -6,6 +6,7 @@
 #include "../scene_text.hpp"
 #include "forming/run/run.hpp"
 #include "forming/state/initial_state.hpp"
+#include "forming/step/flow/predictor.hpp"
 #include "forming/step/step_control.hpp"
 
 namespace parison::forming {
@@ -31,14 +32,21 @@ TEST(StageEnd, a_force_ends_the_stage_whatever_its_sign) {
   EXPECT_EQ(end_with("force = \"4 N\"", 0, 4.1), StageEnd::force);
 }
 
-TEST(StageEnd, a_tool_that_slows_suddenly_is_at_rest_when_it_is_slow_and_not_when_it_is_foretold_to_be) {
+TEST(StageEnd, a_tool_that_slows_after_a_jolt_is_not_at_rest_and_one_that_goes_on_slowing_is) {
   const Scene scene = scene_of(replaced(pressed, pressed + "end_speed = \"5 mm/s\"\n"));
-  State state = initial_state(scene);
-  state.stage = 1, state.stage_time = 0.1, state.last_step = 3e-4, state.next_step = 3e-4, state.has_moved = true;
-  state.tools[1].velocity = -11e-3, state.tools[1].slowing = 5000;  // after a step at 47 mm/s
-  EXPECT_EQ(stage_end(scene, state), StageEnd::none);
-  state.tools[1].velocity = -5.1e-3;
-  EXPECT_EQ(stage_end(scene, state), StageEnd::tools_at_rest);
+  State before = initial_state(scene);
+  before.stage = 1, before.stage_time = 0.1, before.last_step = 3e-4, before.has_moved = true;
+  before.glass.temperature_rate.setZero(before.glass.temperature.size());
+  const auto end_after = [&](double speed, double slowing, double next) {
+    State start = before, state = before;
+    start.tools[1].velocity = -speed, start.tools[1].slowing = slowing;
+    state.tools[1].velocity = -next, state.last_step = state.next_step = 3e-4;
+    update_rates(start, 3e-4, state);
+    return stage_end(scene, state);
+  };
+  EXPECT_EQ(end_after(47e-3, 0, 10e-3), StageEnd::none);
+  EXPECT_EQ(end_after(47e-3, 4000, 10e-3), StageEnd::tools_at_rest);
+  EXPECT_EQ(end_after(6e-3, 0, 5.1e-3), StageEnd::tools_at_rest);
 }
 
 TEST(StageEnd, the_mean_surface_temperature_ends_it_from_either_side) {

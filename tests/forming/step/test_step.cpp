@@ -179,7 +179,11 @@ TEST_F(Pot, a_change_of_temperature_repeats_a_step_but_not_one_near_the_shortest
   StepReport report;
   report.unforeseen_error = 100 * scene.accuracy.work_per_step;
   report.dt = 100 * scene.accuracy.min_step;
+  report.strain = scene.accuracy.strain_per_step;
   EXPECT_TRUE(rejected_by_error_control(scene, report));
+  report.strain = std::pow(scene.accuracy.strain_per_step, 2);
+  EXPECT_FALSE(rejected_by_error_control(scene, report)) << "the glass hardly moves";
+  report.strain = scene.accuracy.strain_per_step;
   report.dt = 5 * scene.accuracy.min_step;
   EXPECT_FALSE(rejected_by_error_control(scene, report)) << "a thin cell where a fold has closed evens out at once";
   report.strain = 10 * scene.accuracy.strain_per_step;
