@@ -92,7 +92,7 @@ TEST_F(Resume, a_run_out_of_room_says_so_and_goes_on_from_its_last_checkpoint_wh
   const auto begun = static_cast<rlim_t>(fs::file_size(in("begun/checkpoint.h5")));
   const std::string reason = reason_when_hindered(scene, in("full"), [&] {
     std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit room{begun + 1000, begun + 1000};  // a checkpoint of later stages is larger
+    const rlimit room{begun + 3000, begun + 3000};  // a checkpoint of later stages is larger
     ::setrlimit(RLIMIT_FSIZE, &room);
   });
   EXPECT_TRUE(
