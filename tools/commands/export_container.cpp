@@ -75,10 +75,6 @@ int export_round(const ExportRequest& request) {
 
 /// The glass in space of a finished run is that of its last checkpoint.
 int export_space(const ExportRequest& request) {
-  if (!request.step.empty())
-    throw core::CaseError(
-        fmt::format("{}: glass in space was found, allowed with --step is round glass; --stl and --shell have its form",
-                    request.results));
   const std::string checkpoint = forming::find_checkpoint(request.results);
   const forming::Scene scene = scene_of(request.results, checkpoint);
   const auto solid = forming::read_checkpoint(checkpoint, scene).outcome.solid;
@@ -87,6 +83,13 @@ int export_space(const ExportRequest& request) {
         fmt::format("{}: a run that has not come into space was found, allowed are later ones", request.results));
   const double glass = forming::whole_volume(*solid);
   tell_glass(request.results, glass);
+  if (!request.step.empty()) {
+    const forming::SmoothSolid smooth = forming::write_step(request.step, *solid);
+    tell(request.step, "solid of smooth surfaces", smooth.volume, glass);
+    constexpr double rounding = 1e-9;  // m, of the coordinates
+    fmt::print("  its surface is within {:.1g} mm of all nodes of the glass, and within {:.2g} mm between them\n",
+               std::max(rounding, smooth.from_nodes) / core::millimetre, smooth.from_faces / core::millimetre);
+  }
   if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, *solid), glass);
   if (!request.shell.empty())
     tell_shell(request, forming::write_shell(request.shell, *solid, forming::shell_glass(scene)), glass);

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/report/solid/space_files.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <vector>
 
 #include "core/io/files.hpp"
+#include "core/io/written_files.hpp"
 #include "core/math/numbers.hpp"
+#include "core/process/gmsh_module.hpp"
+#include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
+#include "forming/report/solid/kernel_work.hpp"
 #include "forming/report/solid/triangles.hpp"
+#include "forming/report/solid/wall_sheets.hpp"
+#include "forming/report/solid/whole_turn.hpp"
 #include "forming/report/wall/solid_wall.hpp"
 
 namespace parison::forming {
@@ -19,27 +28,6 @@ namespace parison::forming {
 namespace {
 
 using core::Vector3;
-
-/// The whole turn about the axis from a sector between planes of symmetry: every second copy is mirrored.
-class Copies {
- public:
-  explicit Copies(const SolidState& solid)
-      : count_(static_cast<int>(std::lround(1 / solid.share))), sector_(2 * M_PI * solid.share) {}
-  int count() const { return count_; }
-  static bool is_mirrored(int copy) { return copy % 2 == 1; }
-  /// A point of a copy, mm, to a nanometre: copies meet in the same nodes.
-  Vector3 millimetres(const Vector3& at, int copy) const {
-    constexpr double per_nanometre = 1e6;  // mm
-    const double turn = sector_ * (is_mirrored(copy) ? copy + 1 : copy), cosine = std::cos(turn), sine = std::sin(turn);
-    const double y = is_mirrored(copy) ? -at[1] : at[1];
-    const Vector3 turned(cosine * at[0] - sine * y, sine * at[0] + cosine * y, at[2]);
-    return ((per_nanometre / core::millimetre * turned).array().round() / per_nanometre + 0.0).matrix();
-  }
-
- private:
-  int count_;
-  double sector_;
-};
 
 Vector3 at_place(const core::HexFaceNodes& nodes, double a, double b) {
   const auto along = core::line_shape(a), across = core::line_shape(b);
@@ -122,6 +110,18 @@ std::vector<long> shell_of(const std::array<long, 9>& node, bool is_reversed) {
 
 double whole_volume(const SolidState& solid) {
   return core::cell_volumes(solid.glass.mesh).sum() / solid.share;
+}
+
+SmoothSolid write_step(const std::string& path, const SolidState& solid) {
+  static auto& sew = core::gmsh_function<decltype(parison_sew_solid)>("parison_sew_solid");
+  const std::vector<SplinePatch> patches = wall_patches(solid);
+  const std::string told =
+      told_by_kernel(path, [&](std::string& text) { sew(core::unfinished_name(path), patches, text); });
+  double volume = 0, from_nodes = 0, from_faces = 0;
+  if (std::sscanf(told.c_str(), "%lf %lf %lf", &volume, &from_nodes, &from_faces) != 3 || !(volume > 0))
+    throw core::RunError(fmt::format("{}: the CAD kernel made no solid of the glass: {}", path, told));
+  core::take_made(path);
+  return {cubic_millimetre * volume, core::millimetre * from_nodes, core::millimetre * from_faces};
 }
 
 double write_stl(const std::string& path, const SolidState& solid) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <gmsh.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "core/case/case_error.hpp"
 #include "core/io/files.hpp"
 #include "forming/report/solid/solid_files.hpp"
+#include "step_volume.hpp"
 
 namespace parison::forming {
 namespace {
@@ -39,22 +39,6 @@ std::string bowl() {
   core::write_text(folder + "/contour.csv", contour);
   core::write_text(folder + "/thickness.csv", thickness);
   return folder;
-}
-
-/// The volume of the solids in a STEP file, m3.
-double volume_of_step(const std::string& path) {
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::vectorpair found;
-  gmsh::model::occ::importShapes(path, found, true, "step");
-  double sum = 0;
-  for (const auto& [dimension, tag] : found) {
-    double volume = 0;
-    if (dimension == 3) gmsh::model::occ::getMass(3, tag, volume);
-    sum += volume;
-  }
-  gmsh::finalize();
-  return 1e-9 * sum;
 }
 
 const double exact = 2e-9 / 3 * M_PI * (std::pow(outer_radius, 3) - std::pow(inner_radius, 3));  // m3, of the bowl
