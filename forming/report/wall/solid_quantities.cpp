@@ -17,9 +17,10 @@ Point in_plane(const core::Vector3& at) {
   return {std::hypot(at[0], at[1]), at[2]};
 }
 
+constexpr std::size_t meridians = 3, places = (profile_points - meridians + 1) / meridians;
+
 /// Thickness, mm, at even shares of the arc of each meridian.
 std::vector<double> profile_of(const SolidState& solid, const SolidWall& wall) {
-  constexpr int meridians = 3, places = (profile_points - meridians + 1) / meridians;
   std::vector<double> profile;
   for (const EvenMeridian& meridian : even_meridians(solid, wall, places)) {
     if (!profile.empty()) profile.push_back(core::none);
@@ -45,6 +46,12 @@ void set(Quantities& quantities, const char* name, double value) {
 }
 
 }  // namespace
+
+std::optional<MeridianPlace> meridian_place(std::size_t profile_point) {
+  const std::size_t meridian = profile_point / (places + 1), place = profile_point % (places + 1);
+  if (meridian >= meridians || place == places) return {};
+  return MeridianPlace{static_cast<int>(meridian), double(place) / double(places - 1)};
+}
 
 void put_solid(const SolidState& solid, const SolidWall& wall, Summary& summary) {
   GlassFacts& glass = summary.glass;

@@ -12,6 +12,7 @@
 #include "core/math/numbers.hpp"
 #include "forming/report/error_bars.hpp"
 #include "forming/report/model_bars.hpp"
+#include "forming/report/wall/solid_quantities.hpp"
 #include "forming/study/comparison/finished_run.hpp"
 #include "forming/study/sweep/sweep_table.hpp"
 
@@ -130,6 +131,14 @@ void add_quantities(const Study& study, const Runs& runs, UncertaintyResult& res
   }
 }
 
+/// A point of the profile, without its thickness.
+UncertainPlace place_of(const UncertaintyPlan& plan, std::size_t point, std::size_t points) {
+  const double along = double(point) / double(points - 1);
+  const auto place = plan.sector ? meridian_place(point) : std::nullopt;
+  if (!place) return {along, along, core::none, {}};
+  return {along, place->share, 0.5 * place->meridian * *plan.sector * 180 / M_PI, {}};
+}
+
 void add_wall(const Study& study, const Runs& runs, UncertaintyResult& result) {
   const std::vector<double>& wall = runs.mean.quantities.profile;
   std::vector<Effects> all;
@@ -140,9 +149,9 @@ void add_wall(const Study& study, const Runs& runs, UncertaintyResult& result) {
     const Noise noise = noise_of(unchanged);
     const auto effects = effects_of(study, of_done(place_values(runs.drawn, point), runs.done), noise.at_least);
     if (!effects) continue;
-    result.wall.push_back(
-        {double(point) / double(wall.size() - 1),
-         {"wall", "mm", wall[point], numerical_bar(runs.mean, point), std::sqrt(noise.variance), *effects}});
+    result.wall.push_back(place_of(study.plan, point, wall.size()));
+    result.wall.back().thickness = {
+        "wall", "mm", wall[point], numerical_bar(runs.mean, point), std::sqrt(noise.variance), *effects};
     // Draws are the same only where the same runs were used.
     if (effects->runs == runs.done.size()) all.push_back(*effects);
   }

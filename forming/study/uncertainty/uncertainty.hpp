@@ -28,9 +28,11 @@ struct UncertainQuantity {
 /// Below this share of the variance at unseen runs a surrogate is called poor.
 inline constexpr double good_q2 = 0.8;
 
-/// A place of the wall, by its share of the outer arc.
+/// A place of the wall.
 struct UncertainPlace {
-  double share;
+  double along;  ///< share of the profile
+  double share;  ///< of the outer arc; in space of the meridian, from the axis
+  double angle;  ///< of the meridian from the plane y = 0, deg; NaN where the glass stays round
   UncertainQuantity thickness;
 };
 

@@ -41,11 +41,12 @@ std::string quantity_table(const UncertaintyResult& result) {
 }
 
 std::string wall_table(const UncertaintyPlan& plan, const UncertaintyResult& result) {
-  std::string text = fmt::format("share_of_outer_arc,{}", bar_header);
+  std::string text = fmt::format("{}share_of_outer_arc,{}", plan.sector ? "angle_deg," : "", bar_header);
   for (const core::Tolerance& tolerance : plan.tolerances)
     text += "," + core::csv_text(fmt::format("total of {}", tolerance.key));
   text += '\n';
   for (const UncertainPlace& place : result.wall) {
+    if (plan.sector) text += number(place.angle) + ',';
     text += fmt::format("{},{}", number(place.share), bar_fields(place.thickness));
     for (const Interval& index : sobol_indices(place.thickness.effects).total) text += "," + number(index.value);
     text += '\n';

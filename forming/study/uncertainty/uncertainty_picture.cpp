@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/io/svg.hpp"
+#include "core/math/numbers.hpp"
 #include "forming/study/uncertainty/uncertainty.hpp"
 
 namespace parison::forming {
@@ -110,7 +111,7 @@ void draw_indices(const UncertaintyPlan& plan, const UncertaintyResult& result, 
   page.y += 40;
 }
 
-/// From shares of the arc and mm to pixels.
+/// From shares of the profile and mm to pixels.
 struct Frame {
   double top, highest;
   double x(double share) const { return 80 + share * (width - 80 - right); }
@@ -123,8 +124,8 @@ std::string band(const UncertaintyResult& result, const Frame& frame, double (*b
   svg::Path path;
   for (std::size_t i = 1; i < result.wall.size(); ++i) {
     const UncertainPlace &a = result.wall[i - 1], &b = result.wall[i];
-    if (b.share - a.share > 0.02) continue;
-    const double x1 = frame.x(a.share), x2 = frame.x(b.share), at1 = a.thickness.at_mean, at2 = b.thickness.at_mean;
+    if (b.along - a.along > 0.02 || b.share < a.share) continue;  // the next meridian
+    const double x1 = frame.x(a.along), x2 = frame.x(b.along), at1 = a.thickness.at_mean, at2 = b.thickness.at_mean;
     path.move(x1, frame.y(at1 + bar(a.thickness)))
         .to(x2, frame.y(at2 + bar(b.thickness)))
         .to(x2, frame.y(std::max(0.0, at2 - bar(b.thickness))))
@@ -146,9 +147,26 @@ double none_of(const UncertainQuantity&) {
   return 0;
 }
 
+/// Below the wall: shares of the outer arc; in space the planes whose meridians follow each other.
+void draw_places(const UncertaintyResult& result, const Frame& frame, Page& page) {
+  const double y = frame.y(0) + 16;
+  double angle = core::none;
+  for (const UncertainPlace& place : result.wall)
+    if (std::isfinite(place.angle) && place.angle != angle) {
+      angle = place.angle;
+      page.drawn += svg::line(frame.x(place.along), frame.y(0), frame.x(place.along), frame.top, "stroke=\"#e4e4e4\"");
+      page.drawn += svg::text(frame.x(place.along), y, "start", fmt::format("{:g} deg: axis to rim", angle));
+    }
+  for (int i = 0; std::isnan(angle) && i <= 10; i += 2)
+    page.drawn += svg::text(frame.x(0.1 * i), y, "middle", fmt::format("{:.1f}", 0.1 * i));
+}
+
 void draw_wall(const UncertaintyResult& result, Page& page) {
-  page.drawn +=
-      svg::text(20, page.y, "start", "Wall thickness, mm, over the share of the outer arc", 14, "font-weight=\"bold\"");
+  const bool in_space = std::isfinite(result.wall.front().angle);
+  page.drawn += svg::text(20, page.y, "start",
+                          in_space ? "Wall thickness, mm, along the outer side in planes through the axis"
+                                   : "Wall thickness, mm, over the share of the outer arc",
+                          14, "font-weight=\"bold\"");
   page.drawn += svg::text(20, page.y + 17, "start",
                           "light: tolerances (two standard deviations) and numerics together; dark: numerics alone");
   std::vector<double> heights;
@@ -160,8 +178,7 @@ void draw_wall(const UncertaintyResult& result, Page& page) {
     page.drawn += svg::line(frame.x(0), frame.y(at), frame.x(1), frame.y(at), "stroke=\"#e4e4e4\"");
     page.drawn += svg::text(frame.x(0) - 8, frame.y(at) + 4, "end", fmt::format("{:.3g}", at));
   }
-  for (int i = 0; i <= 10; i += 2)
-    page.drawn += svg::text(frame.x(0.1 * i), frame.y(0) + 16, "middle", fmt::format("{:.1f}", 0.1 * i));
+  draw_places(result, frame, page);
   page.drawn += "<clipPath id=\"wall\">" +
                 svg::rectangle(frame.x(0), frame.top, frame.x(1) - frame.x(0), wall_height, "") +
                 "</clipPath>\n<g clip-path=\"url(#wall)\">\n";

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/case/case_error.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/study/audit.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
 #include "forming/study/setting_error.hpp"
@@ -144,8 +143,8 @@ std::size_t usual_runs(std::size_t tolerances) {
 
 UncertaintyPlan plan_uncertainty(const UncertaintyStudy& study) {
   const Scene base = read_scene(study.case_path, study.accuracy, study.overrides);
-  require_round_glass(base, "`parison uncertainty`");
-  UncertaintyPlan plan{study, base.tolerances, {}, {}, {}, {}, {}, {}};
+  UncertaintyPlan plan{study, base.tolerances, {}, {}, {}, {}, {}, {}, {}};
+  if (base.solid) plan.sector = base.solid->sector;
   if (plan.tolerances.empty())
     throw core::CaseError(
         fmt::format("{}: no tolerance was found, allowed is at least one value such as \"460 +- 10 "

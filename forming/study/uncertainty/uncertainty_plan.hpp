@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct UncertaintyPlan {
   SweepPlan mean, noise, drawn;
   Eigen::MatrixXd places;  ///< a row a drawn run, a column a tolerance, in standard deviations from the mean
   std::vector<RefusedRow> refused;
+  std::optional<double> sector;  ///< of glass in space, rad
 };
 
 /// Throws core::CaseError where the case has no tolerance, where it has too few runs for its tolerances, or where half
