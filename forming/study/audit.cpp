@@ -10,8 +10,10 @@
 #include "core/math/numbers.hpp"
 #include "core/mesh/element.hpp"
 #include "core/process/clock.hpp"
+#include "core/solid/hex_geometry.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/report/thickness_profile.hpp"
+#include "forming/report/wall/meridian.hpp"
 #include "forming/study/model_variants.hpp"
 
 namespace parison::forming {
@@ -39,6 +41,21 @@ double wall_of(const core::Mesh& mesh, core::Geometry geometry) {
     if (mesh.kind_of(edge) != BoundaryKind::symmetry)
       for (const auto& at : core::edge_rule(2)) surface += core::map_edge_point(mesh, edge.nodes, geometry, at).area;
   return 2 * core::volume(mesh, geometry) / surface;
+}
+
+/// Of a container in space.
+void add_surface(const SolidState& solid, AuditRun& run) {
+  constexpr int rule_points = 3;       // along a face
+  constexpr std::size_t places = 201;  // of a meridian
+  double surface = 0;
+  for (const core::HexFace& face : solid.faces)
+    for (const auto& point : core::map_hex_face(core::face_nodes(solid.glass.mesh, face), face, rule_points))
+      surface += point.area;
+  run.wall = 2 * core::cell_volumes(solid.glass.mesh).sum() / surface;
+  for (const EvenMeridian& meridian : even_meridians(solid, solid_wall(solid), places)) {
+    run.planes.push_back({{}});
+    for (const MeridianPoint& point : meridian.points) run.planes.back().front().emplace_back(point.r, point.z);
+  }
 }
 
 double distance_to(const std::vector<std::vector<Point>>& lines, const Point& x) {
@@ -114,8 +131,12 @@ AuditRun audit_run(const std::string& case_path, const Variant& variant, const S
   const State& state = outcome.state;
   result.quantities =
       summarise(scene, state, outcome.facts, thickness_profile(scene, state), outcome.solid.get()).quantities;
-  result.wall = wall_of(state.glass.mesh, scene.geometry);
-  result.loops = surface_of(state.glass.mesh);
+  if (outcome.solid) {
+    add_surface(*outcome.solid, result);
+  } else {
+    result.wall = wall_of(state.glass.mesh, scene.geometry);
+    result.planes = {surface_of(state.glass.mesh)};
+  }
   return result;
 }
 
@@ -126,7 +147,11 @@ AuditChange audit_change(const AuditRun& run, const AuditRun& base) {
                      core::none,
                      "",
                      0};
-  change.shape = 0.5 * (mean_distance(run.loops, base.loops) + mean_distance(base.loops, run.loops));
+  change.shape = 0;
+  for (std::size_t p = 0; p < base.planes.size(); ++p) {
+    const double both = mean_distance(run.planes[p], base.planes[p]) + mean_distance(base.planes[p], run.planes[p]);
+    change.shape += 0.5 * both / double(base.planes.size());
+  }
   const Quantity *mean = run.quantities.find("glass_mean"), *known = base.quantities.find("glass_mean");
   if (mean && known) change.mean_temperature = mean->value - known->value;
   find_most_changed(run, base, change);

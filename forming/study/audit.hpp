@@ -15,8 +15,10 @@ struct AuditRun {
   std::string reason;  ///< why not
   double seconds = 0;  ///< of CPU time
   Quantities quantities;
-  double wall = 0;                        ///< twice the volume of the glass over its surface, m
-  std::vector<std::vector<Point>> loops;  ///< the surface of the glass at the end as polygons, m
+  double wall = 0;  ///< twice the volume of the glass over its surface, m
+  /// The surface of the glass at the end as polygons, m, in each plane that is looked at: one; in space the outer side
+  /// in the three of its meridians.
+  std::vector<std::vector<std::vector<Point>>> planes;
 };
 
 /// What a run differs by from the case as it is; NaN where the scene has nothing to compare.

@@ -209,6 +209,10 @@ std::vector<Variant> model_variants(const Scene& scene) {
   find_materials(parts);
   if (scene.has_heat()) add_heat_parts(parts);
   if (scene.has_flow()) add_flow_parts(parts);
+  if (scene.solid) {  // trapped air is not computed there
+    const auto refused = [&](const Variant& variant) { return !is_allowed(scene, variant); };
+    parts.variants.erase(std::remove_if(parts.variants.begin(), parts.variants.end(), refused), parts.variants.end());
+  }
   return parts.variants;
 }
 

@@ -15,7 +15,6 @@
 #include "forming/report/solid/solid_files.hpp"
 #include "forming/report/solid/space_files.hpp"
 #include "forming/run/checkpoint.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::tools {
@@ -105,7 +104,8 @@ int export_container(const ExportRequest& request) {
   check_name("--stl", request.stl, {".stl"});
   check_name("--shell", request.shell, {".inp"});
   for (const std::string& path : {request.step, request.stl, request.shell}) core::require_own(path);
-  return forming::is_in_space(request.results) ? export_space(request) : export_round(request);
+  const bool is_in_space = std::filesystem::exists(request.results + "/solid/summary.json");
+  return is_in_space ? export_space(request) : export_round(request);
 }
 
 }  // namespace parison::tools

@@ -10,7 +10,6 @@
 #include "core/io/files.hpp"
 #include "core/io/json.hpp"
 #include "core/io/written_files.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/study/search/calibration/calibration.hpp"
 #include "forming/study/search/minimum/least_squares.hpp"
 #include "tools/program/exit_codes.hpp"
@@ -118,8 +117,8 @@ void write_fit(const CalibrationCase& calibration, const FitIntervals& intervals
   Eigen::Index row = 0;
   for (const forming::MeasuredCurve& curve : calibration.curves)
     for (std::size_t i = 0; i < curve.at.size(); ++i, ++row)
-      text += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", core::csv_text(curve.column.empty() ? "wall" : curve.column),
-                          curve.at[i], curve.value[i], curve.value[i] + residual[row] * curve.noise);
+      text += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", core::csv_text(curve.name()), curve.at[i], curve.value[i],
+                          curve.value[i] + residual[row] * curve.noise);
   core::replace_file(output + "/fit.csv", text);
 }
 
@@ -156,7 +155,6 @@ CalibrationCase read_calibration(const CalibrateRequest& request) {
   if (rows <= calibration.variables.size())
     throw core::CaseError(fmt::format("{}: {} measurements were found, allowed are more than constants, {}",
                                       request.data.front(), rows, calibration.variables.size()));
-  forming::require_round_glass(scene, "`parison calibrate`");
   forming::check_corners(calibration);
   return calibration;
 }
@@ -208,7 +206,7 @@ int calibrate(const CalibrateRequest& request) {
   fmt::print("{} at {} accuracy: {} constants, {} curves, {} runs at once, in {}\n", request.case_path,
              request.accuracy, calibration.variables.size(), calibration.curves.size(), jobs, output);
   for (const forming::MeasuredCurve& curve : calibration.curves)
-    fmt::print("  {}: {} values of {}\n", curve.column.empty() ? "wall" : curve.column, curve.at.size(), curve.file);
+    fmt::print("  {}: {} values of {}\n", curve.name(), curve.at.size(), curve.file);
   fmt::print("  rms of the misfit in units of the noise, then the constants\n");
   std::fflush(stdout);
   catch_signals();

@@ -14,7 +14,6 @@
 #include "core/io/json_read.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/run/checkpoint.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/program/child_process.hpp"
 #include "tools/program/stop_request.hpp"
@@ -242,7 +241,6 @@ int tradeoff(const TradeoffRequest& given) {
   catch_signals();
   TradeoffRequest request = given;
   const forming::Scene scene = forming::read_scene(request.case_path, request.base, request.overrides);
-  forming::require_round_glass(scene, "`parison tradeoff`");
   if (request.reference.empty()) request.reference = forming::usual_reference(scene);
   if (request.output.empty()) request.output = "results/tradeoff_" + scene.name;
   std::string base;

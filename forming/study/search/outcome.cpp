@@ -54,11 +54,11 @@ double linear(const std::vector<double>& x, const std::vector<double>& y, double
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-WallTable read_wall_table(const std::string& path) {
+WallTable read_wall_table(const std::string& path, std::optional<double> angle) {
   const core::CsvTable csv = core::read_csv(path);
   const int thickness_at = column(csv, {"thickness_mm"}), arc = column(csv, {"arc_mm"}),
             height = column(csv, {"z_mm", "z_outer_mm"}), radius = column(csv, {"r_mm", "r_outer_mm"}),
-            place = arc >= 0 ? arc : height;
+            place = arc >= 0 ? arc : height, plane = angle ? csv.find("angle_deg") : -1;
   if (thickness_at < 0 || place < 0)
     throw core::CaseError(
         fmt::format("{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path,
@@ -66,6 +66,8 @@ WallTable read_wall_table(const std::string& path) {
   WallTable table{arc >= 0, {}, {}, {}, {}, 0};
   for (const core::CsvTable::Row& row : csv.rows) {
     const auto cell = [&](int i) { return i >= 0 ? csv.number(row, i) : core::none; };
+    constexpr double printed = 1e-3;  // deg, to which tables give it
+    if (plane >= 0 && !(std::abs(cell(plane) - *angle) <= printed)) continue;
     const double at = cell(place), thickness = cell(thickness_at);
     if (std::isfinite(at)) table.arc_end = at;
     if (!std::isfinite(at) || !std::isfinite(thickness)) continue;

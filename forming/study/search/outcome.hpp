@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,13 +51,14 @@ void add_wall(const Wall& wall, const WallPart& part, Quantities& quantities);
 std::vector<Quantity> known_quantities(const Scene& scene);
 
 /// The wall of a table with the columns thickness_mm and arc_mm, or without the latter z_mm (z_outer_mm), at its rows
-/// that have a thickness. Such a table is thickness.csv of a run.
+/// that have a thickness; of those of one plane through the axis where an angle is given, in degrees as in angle_deg.
+/// Such a table is thickness.csv of a run, in space meridians.csv.
 struct WallTable {
   bool over_arc;
   std::vector<double> at, thickness;   ///< mm
   std::vector<double> radius, height;  ///< where the table has them
   double arc_end = 0;                  ///< of the last row, wall or not, mm
 };
-WallTable read_wall_table(const std::string& path);
+WallTable read_wall_table(const std::string& path, std::optional<double> angle = {});
 
 }  // namespace parison::forming

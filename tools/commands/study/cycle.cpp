@@ -13,7 +13,6 @@
 #include "core/case/units.hpp"
 #include "core/io/written_files.hpp"
 #include "forming/scene/accuracy.hpp"
-#include "forming/scene/describe/round_glass.hpp"
 #include "forming/study/comparison/comparison.hpp"
 #include "forming/study/production/cycle_files.hpp"
 #include "tools/program/exit_codes.hpp"
@@ -132,7 +131,11 @@ int cycle(const CycleRequest& request) {
   if (!request.cycle_time.empty())
     plan.seconds = positive("--cycle-time", request.cycle_time, core::dimension::time, "12 s");
   const forming::Scene scene = forming::read_scene(request.case_path, request.accuracy, request.overrides);
-  forming::require_round_glass(scene, "`parison cycle`");
+  if (scene.solid)
+    throw core::CaseError(fmt::format(
+        "{}: the glass is a body in space from stage \"{}\" on, allowed for `parison cycle` are cases whose "
+        "glass stays round",
+        scene.file, scene.stages[scene.solid->from_stage].name));
   const std::string folder = new_folder(request, scene.name);
   if (!request.variants.empty()) {
     CycleRequest with_folder = request;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <tuple>
@@ -83,21 +84,28 @@ const HistoryKind* kind_of(const core::CsvTable& table, const std::string& headi
   return nullptr;
 }
 
-double longest_time(const Scene& scene) {
-  double sum = 0;
-  for (const Stage& stage : scene.stages) sum += stage.duration;
-  return sum;
+/// How long histories are measured, s, and what ends them.
+struct LongestTime {
+  double seconds = 0;
+  const char* end = "the end of the case";
+};
+LongestTime longest_time(const Scene& scene) {
+  LongestTime longest;
+  const std::size_t count = scene.solid ? static_cast<std::size_t>(scene.solid->from_stage) : scene.stages.size();
+  for (std::size_t s = 0; s < count; ++s) longest.seconds += scene.stages[s].duration;
+  if (scene.solid) longest.end = "where the glass becomes a body in space";
+  return longest;
 }
 
-MeasuredCurve curve_over_time(const core::CsvTable& table, int column, double noise, double end) {
+MeasuredCurve curve_over_time(const core::CsvTable& table, int column, double noise, const LongestTime& longest) {
   MeasuredCurve curve{table.path, table.heading[static_cast<std::size_t>(column)], false, {}, {}, noise};
   const int time = table.find(time_heading);
   for (const core::CsvTable::Row& row : table.rows) {
     const double at = measured(table, row, time), value = measured(table, row, column);
     if (!std::isfinite(value)) continue;
-    if (!(at >= 0 && at <= end))
-      throw core::CaseError(fmt::format("{}:{}: the time {} s was found, allowed is 0 to the end of the case, {} s",
-                                        table.path, row.line, at, end));
+    if (!(at >= 0 && at <= longest.seconds))
+      throw core::CaseError(fmt::format("{}:{}: the time {} s was found, allowed is 0 to {}, {} s", table.path,
+                                        row.line, at, longest.end, longest.seconds));
     curve.at.push_back(at);
     curve.value.push_back(value);
   }
@@ -120,7 +128,51 @@ std::pair<std::vector<double>, std::vector<double>> over_height(const WallTable&
   return rising;
 }
 
+/// The planes of solid/meridians.csv, deg.
+std::array<double, 3> planes_in_space(const Scene& scene) {
+  const double sector = scene.solid->sector * 180 / M_PI;
+  return {0, 0.5 * sector, sector};
+}
+
+/// The plane of solid/meridians.csv in which an angle about the axis is, as sectors are mirrored; deg.
+std::optional<double> plane_of(const Scene& scene, double angle) {
+  const auto planes = planes_in_space(scene);
+  const double turned = std::abs(std::remainder(angle, 2 * planes.back()));
+  constexpr double same = 0.05;  // deg
+  for (const double plane : planes)
+    if (std::abs(turned - plane) < same) return plane;
+  return {};
+}
+
+/// The walls of a table that has planes through the axis, one for each angle in it.
+std::vector<MeasuredCurve> walls_in_space(const core::CsvTable& table, const Scene& scene, double noise) {
+  const int column = table.find("angle_deg");
+  if (column < 0)
+    throw core::CaseError(fmt::format(
+        "{}:1: a wall without angle_deg was found and the container is not round, allowed is one with it", table.path));
+  std::vector<double> angles;
+  for (const core::CsvTable::Row& row : table.rows) {
+    const double angle = table.number(row, column);
+    if (!std::isfinite(angle) || !plane_of(scene, angle))
+      throw core::CaseError(fmt::format(
+          "{}:{}: the angle \"{}\" was found, allowed are the planes {:g} deg, which come "
+          "again in each sector",
+          table.path, row.line, row.cells[static_cast<std::size_t>(column)], fmt::join(planes_in_space(scene), ", ")));
+    if (!std::count(angles.begin(), angles.end(), angle)) angles.push_back(angle);
+  }
+  std::vector<MeasuredCurve> walls;
+  for (const double angle : angles) {
+    const WallTable wall = read_wall_table(table.path, angle);
+    walls.push_back({table.path, "", wall.over_arc, wall.at, wall.thickness, noise, plane_of(scene, angle)});
+  }
+  return walls;
+}
+
 }  // namespace
+
+std::string MeasuredCurve::name() const {
+  return !column.empty() ? column : angle ? fmt::format("wall at {:g} deg", *angle) : "wall";
+}
 
 std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scene& scene,
                                              const CalibrationNoise& noise) {
@@ -134,8 +186,12 @@ std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scen
           fmt::format("{}: a wall was found and the glass of the case does not flow, allowed are "
                       "temperatures of its probes",
                       path));
-    const WallTable wall = read_wall_table(path);
-    curves.push_back({path, "", wall.over_arc, wall.at, wall.thickness, noise.thickness});
+    if (scene.solid) {
+      curves = walls_in_space(table, scene, noise.thickness);
+    } else {
+      const WallTable wall = read_wall_table(path);
+      curves.push_back({path, "", wall.over_arc, wall.at, wall.thickness, noise.thickness});
+    }
   } else if (table.find(time_heading) >= 0) {
     const std::vector<HistoryKind> kinds = history_kinds(scene, noise);
     for (const std::string& heading : table.heading)
@@ -202,8 +258,11 @@ std::vector<SearchVariable> varied_constants(const std::vector<std::string>& tex
 std::optional<std::vector<double>> model_at(const MeasuredCurve& curve, const std::string& folder) {
   std::vector<double> x, y, found;
   if (curve.column.empty()) {
-    if (!fs::exists(folder + "/thickness.csv")) return std::nullopt;
-    const WallTable wall = read_wall_table(folder + "/thickness.csv");
+    const std::string path = folder + (curve.angle ? "/solid/meridians.csv" : "/thickness.csv");
+    if (!fs::exists(path)) return std::nullopt;
+    WallTable wall = read_wall_table(path, curve.angle);
+    const double start = curve.angle ? wall.at.front() : 0;  // arcs go on from plane to plane
+    for (double& arc : wall.at) arc -= start;
     if (curve.over_arc)
       x = wall.at, y = wall.thickness;
     else

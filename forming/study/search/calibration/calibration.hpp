@@ -40,6 +40,10 @@ struct MeasuredCurve {
   std::vector<double> at;     ///< s; mm
   std::vector<double> value;  ///< degC; mm; N
   double noise;               ///< standard deviation, K; mm; N
+  /// Of the wall of a container in space: the plane through the axis, one of solid/meridians.csv, deg.
+  std::optional<double> angle = {};
+
+  std::string name() const;
 };
 
 /// What is fitted, and to what.
@@ -55,7 +59,8 @@ struct CalibrationNoise {
 };
 
 /// Reads tables with the columns time_s and PROBE_degC, TOOL_position_mm, TOOL_force_N, or thickness_mm and arc_mm or
-/// z_mm. Throws core::CaseError with file and line where a column, a name or a number is wrong, or a time is after the
+/// z_mm; where the glass becomes a body in space the wall has angle_deg too, and what is over time ends there. Throws
+/// core::CaseError with file and line where a column, a name or a number is wrong, or a time is after the
 /// end of the case. Columns of other names are left out.
 std::vector<MeasuredCurve> read_measurements(const std::string& path, const Scene& scene,
                                              const CalibrationNoise& noise);

@@ -169,6 +169,26 @@ TEST_F(CalibrationTest, a_wall_over_the_height_is_compared_however_the_outline_r
   EXPECT_EQ(model_at(curve, folder), (std::vector<double>{1.5, 2.5}));
 }
 
+TEST_F(CalibrationTest, the_wall_of_a_container_in_space_is_compared_in_its_own_plane) {
+  std::filesystem::create_directories(folder + "/solid");
+  core::write_text(folder + "/solid/meridians.csv",
+                   "angle_deg,arc_mm,r_mm,z_mm,thickness_mm\n0,0,0,20,1\n0,20,9,0,3\n45,21,0,20,5\n45,41,9,0,7\n");
+  const Scene scene = read_scene(PARISON_SOURCE_DIR "/tests/sweeps/tiny_square.toml", "draft");
+  const auto over_arc =
+      read_measurements(data("angle_deg,arc_mm,thickness_mm\n225,5,2\n-180,5,2\n225,15,3\n-180,15,2\n"), scene, {});
+  ASSERT_EQ(over_arc.size(), 2u);
+  EXPECT_EQ(over_arc[0].name(), "wall at 45 deg");
+  EXPECT_EQ(over_arc[0].at, (std::vector<double>{5, 15}));
+  EXPECT_EQ(model_at(over_arc[0], folder), (std::vector<double>{5.5, 6.5}));
+  EXPECT_EQ(model_at(over_arc[1], folder), (std::vector<double>{1.5, 2.5}));
+  const auto over_height = read_measurements(data("angle_deg,z_mm,thickness_mm\n45,5,2\n45,15,2\n"), scene, {});
+  ASSERT_EQ(over_height.size(), 1u);
+  EXPECT_EQ(model_at(over_height[0], folder), (std::vector<double>{6.5, 5.5}));
+  EXPECT_THROW(read_measurements(data("angle_deg,z_mm,thickness_mm\n30,5,2\n30,15,2\n"), scene, {}), core::CaseError);
+  EXPECT_THROW(read_measurements(data("z_mm,thickness_mm\n5,2\n15,2\n"), scene, {}), core::CaseError);
+  EXPECT_THROW(read_measurements(data("time_s,mould_force_N\n0.1,2\n"), scene, {}), core::CaseError);
+}
+
 TEST_F(CalibrationTest, a_wall_table_with_a_decimal_comma_or_a_falling_arc_is_refused) {
   const auto refused = [&](const std::string& text) {
     try {
