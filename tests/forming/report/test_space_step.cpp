@@ -80,7 +80,7 @@ void expect_solid(const SolidState& solid, double glass) {
   EXPECT_LT(made.from_faces, 1e-4);
 }
 
-TEST(SpaceStep, A_round_cup_of_any_sector_is_a_closed_solid_of_its_volume) {
+TEST(SpaceStep, a_round_cup_of_any_sector_is_a_closed_solid_of_its_volume) {
   const core::Mesh section = cup();
   double exact = 0;
   for (core::Index c = 0; c < section.cell_count(); ++c)
@@ -89,7 +89,7 @@ TEST(SpaceStep, A_round_cup_of_any_sector_is_a_closed_solid_of_its_volume) {
   for (const double parts : {4.0, 1.0, 24.0}) expect_solid(turned(2 * M_PI / parts), exact);
 }
 
-TEST(SpaceStep, A_cup_that_is_not_round_is_a_closed_solid_of_its_volume) {
+TEST(SpaceStep, a_cup_that_is_not_round_is_a_closed_solid_of_its_volume) {
   for (const double parts : {4.0, 2.0}) {
     SolidState solid = turned(2 * M_PI / parts);
     make_square(0.8, solid);
@@ -97,7 +97,7 @@ TEST(SpaceStep, A_cup_that_is_not_round_is_a_closed_solid_of_its_volume) {
   }
 }
 
-TEST(SpaceStep, A_wall_that_crosses_itself_is_refused) {
+TEST(SpaceStep, a_wall_that_crosses_itself_is_refused) {
   SolidState solid = turned(M_PI_2);
   for (const auto& column : solid.columns)
     std::swap(solid.glass.mesh.nodes[column.front()][2], solid.glass.mesh.nodes[column.back()][2]);
@@ -109,7 +109,7 @@ TEST(SpaceStep, A_wall_that_crosses_itself_is_refused) {
   }
 }
 
-TEST(SpaceStep, A_sector_that_does_not_make_a_whole_turn_is_refused) {
+TEST(SpaceStep, a_sector_that_does_not_make_a_whole_turn_is_refused) {
   SolidState solid = turned(M_PI_2);
   solid.share = 0.3;
   EXPECT_THROW(write_step(tests::new_folder() + "/cup.step", solid), core::RunError);
