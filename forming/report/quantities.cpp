@@ -8,6 +8,7 @@
 
 #include "core/case/case_file.hpp"
 #include "core/math/numbers.hpp"
+#include "forming/report/cooling/residual_stress.hpp"
 #include "forming/report/model_bars.hpp"
 #include "forming/report/summary.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
@@ -158,6 +159,7 @@ Quantities quantities(const Scene& scene, const State& state, const Summary& sum
   if (scene.has_flow()) {
     add_extent(state, found);
     add_tools(scene, summary, found);
+    add_cooling_quantities(scene, state, summary, found);
   }
   add_models(scene, found);
   return found;
@@ -182,6 +184,7 @@ std::vector<Quantity> possible_quantities(const Scene& scene) {
   }
   for (const Stage& stage : scene.stages)
     if (scene.has_flow() && stage.may_end_early()) add(time_prefix + stage.name, "s");
+  for (const auto& [name, unit] : cooling_quantities_of(scene)) add(name, unit);
   return possible;
 }
 

@@ -17,7 +17,12 @@ constexpr std::array labels{Label{"thickness_mean", "wall thickness, mean"},
                             Label{"glass_skin", "glass temperature, outer surface"},
                             Label{"extent_r_max", "largest radius"},
                             Label{"extent_z_min", "lowest z"},
-                            Label{"extent_z_max", "highest z"}};
+                            Label{"extent_z_max", "highest z"},
+                            Label{"temper_number", "real temper number of the base"},
+                            Label{"residual_tension", "residual tension, largest"},
+                            Label{"residual_tension_surface", "residual tension, surface"},
+                            Label{"cooling_tension_surface", "tension while cooling, surface"},
+                            Label{"cooling_time", "take-out to the end"}};
 
 /// Of a tool or a stage, whose name follows.
 constexpr std::array prefixes{Label{"heat_", "heat into "}, Label{"time_", "duration of "},

@@ -43,6 +43,7 @@ using Status = forming::SweepState::Status;
 SearchRuns::SearchRuns(const forming::SearchCase& search, std::string output, int jobs)
     : search_(search),
       base_(forming::read_scene(search.case_path, search.accuracy, search.overrides)),
+      shared_(forming::shared_stage(search)),
       output_(std::move(output)),
       jobs_(jobs) {}
 
@@ -55,7 +56,9 @@ std::vector<MadeRun> SearchRuns::make(const std::vector<Eigen::VectorXd>& places
   }
   const std::string name = fmt::format("step_{:03}", ++step_);
   if (taken.empty()) return runs;
-  const forming::SweepPlan plan = forming::plan_runs(search_, taken, output_ + '/' + name);
+  forming::SweepPlan plan = forming::plan_runs(search_, taken, output_ + '/' + name);
+  if (shared_ && !first_) first_ = forming::FirstRun{plan.folder(plan.runs.front()), *shared_};
+  plan.first = first_;
   std::vector<forming::SweepState> states;
   if (!make_runs(plan, states, jobs_, made_)) return {};
   std::size_t next = 0;

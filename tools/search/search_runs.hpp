@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct MadeRun {
 };
 
 /// Makes the runs of a search, those of one step at once, each step in a folder of its own. The steps of a search
-/// follow from the results before them, so that the same search in the same folder finds its runs made.
+/// follow from the results before them, so that the same search in the same folder finds its runs made. Stages that no
+/// variable changes are made by the first run alone.
 class SearchRuns {
  public:
   SearchRuns(const forming::SearchCase& search, std::string output, int jobs);
@@ -38,6 +40,8 @@ class SearchRuns {
  private:
   const forming::SearchCase& search_;
   const forming::Scene base_;
+  const std::optional<std::string> shared_;
+  std::optional<forming::FirstRun> first_ = {};
   std::string output_;
   int jobs_, step_ = 0;
   std::size_t made_ = 0;

@@ -51,8 +51,10 @@ void print_end(Progress& progress, std::size_t row) {
 
 /// Removes what is not to be kept of a run that is done and from which none will take over any more.
 void tidy_up(const Progress& progress, std::size_t row) {
-  if (progress.states[row].status == Status::done && progress.unfinished_followers[row] == 0)
-    forming::keep_only(progress.plan.sweep.keep, progress.plan.folder(progress.plan.runs[row]));
+  const std::string folder = progress.plan.folder(progress.plan.runs[row]);
+  const auto& first = progress.plan.first;
+  const bool is_over = progress.states[row].status == Status::done && progress.unfinished_followers[row] == 0;
+  if (is_over && !(first && first->folder == folder)) forming::keep_only(progress.plan.sweep.keep, folder);
 }
 
 /// Counts a run that is done or has failed.

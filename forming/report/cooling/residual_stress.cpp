@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/math/numbers.hpp"
@@ -58,6 +59,20 @@ void add_base(core::JsonWriter& json, const BaseView& base) {
   json.close();
 }
 
+/// Stress at the nodes, MPa: around the axis, and the circle of Mohr of that in the section.
+struct NodalStress {
+  Eigen::ArrayXd hoop, mean, radius;
+
+  explicit NodalStress(const GlassState& glass) {
+    const Eigen::VectorXd stress = nodal_stress(glass) / megapascal;
+    const Eigen::Map<const Eigen::ArrayXXd> in(stress.data(), 4, stress.size() / 4);
+    hoop = in.row(2).transpose();
+    mean = 0.5 * (in.row(0) + in.row(1)).transpose();
+    radius = (0.25 * (in.row(0) - in.row(1)).square() + in.row(3).square()).sqrt().transpose();
+  }
+  Eigen::ArrayXd principal() const { return hoop.max(mean + radius); }  ///< the largest
+};
+
 std::string container_text(const CoolingSeen& seen, const ContainerReport& cold, double volume) {
   std::string text = fmt::format(
       "{:.5g} mm high and {:.4g} mm wide, hot {:.5g} and {:.4g} mm; shrunk by {:.2f} %, "
@@ -75,19 +90,14 @@ std::string container_text(const CoolingSeen& seen, const ContainerReport& cold,
 }  // namespace
 
 void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFields& fields) {
-  const Eigen::VectorXd stress = nodal_stress(glass);
-  if (stress.size() == 0) return;
-  const Eigen::Index nodes = stress.size() / 4;
-  const Eigen::Map<const Eigen::ArrayXXd> of(stress.data(), 4, nodes);
-  const Eigen::ArrayXXd in = of / megapascal;
-  const Eigen::ArrayXd mean = 0.5 * (in.row(0) + in.row(1)).transpose();
-  const Eigen::ArrayXd radius = (0.25 * (in.row(0) - in.row(1)).square() + in.row(3).square()).sqrt().transpose();
-  const Eigen::ArrayXd hoop = in.row(2).transpose();
+  if (glass.branch_stress.size() == 0) return;
+  const NodalStress stress(glass);
   // On a surface one of the two in the section vanishes, the other is along the meridian.
-  const Eigen::ArrayXd meridional = (mean < 0).select(mean - radius, mean + radius);
-  fields.nodal.push_back({"stress_hoop_MPa", hoop.matrix()});
+  const Eigen::ArrayXd meridional =
+      (stress.mean < 0).select(stress.mean - stress.radius, stress.mean + stress.radius);
+  fields.nodal.push_back({"stress_hoop_MPa", stress.hoop.matrix()});
   fields.nodal.push_back({"stress_meridional_MPa", meridional.matrix()});
-  fields.nodal.push_back({"stress_principal_MPa", hoop.max(mean + radius).matrix()});
+  fields.nodal.push_back({"stress_principal_MPa", stress.principal().matrix()});
   fields.nodal.push_back({"fictive_temperature_degC",
                           (nodal_fictive_temperature(scene, glass).array() - thermal::content_reference).matrix()});
 }
@@ -110,6 +120,40 @@ void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state,
   add_tension(json, "largest_inner", seen.largest.inner);
   add_base(json, base_view(scene, state.glass, upwards(scene)));
   json.close();
+}
+
+void add_cooling_quantities(const Scene& scene, const State& state, const Summary& summary, Quantities& found) {
+  if (!remembers(state)) return;
+  constexpr double hardly_any = 0.1;  // MPa; tension that does not matter to the strength of glass
+  const auto add = [&](const char* name, const char* unit, double value, double least_scale) {
+    found.values.push_back({name, unit, value, std::max(value, least_scale)});
+  };
+  const auto add_tension = [&](const char* name, double tension) { add(name, "MPa", tension, hardly_any); };
+  const auto on_surface = [](const SidesTension& at) {
+    return std::max(at.outer.stress, at.inner.stress) / megapascal;
+  };
+  if (const BaseView base = base_view(scene, state.glass, upwards(scene)); !base.radius.empty()) {
+    const std::size_t most = base.largest();
+    add("temper_number", "", real_temper_number(base.retardation[most], base.thickness[most]), 1);
+  }
+  add_tension("residual_tension", std::max(0.0, NodalStress(state.glass).principal().maxCoeff()));
+  add_tension("residual_tension_surface", on_surface(surface_tension(state)));
+  add_tension("cooling_tension_surface", on_surface(summary.run.diagnostics.cooling.largest));
+  for (std::size_t i = 0; i < summary.run.stages.size(); ++i)
+    if (scene.stages[i].cools) {
+      const double time = state.time - summary.run.stages[i].start;
+      return add("cooling_time", "s", time, time);
+    }
+}
+
+std::vector<std::pair<const char*, const char*>> cooling_quantities_of(const Scene& scene) {
+  const auto cools = [](const Stage& stage) { return stage.cools; };
+  if (std::none_of(scene.stages.begin(), scene.stages.end(), cools)) return {};
+  return {{"temper_number", ""},
+          {"residual_tension", "MPa"},
+          {"residual_tension_surface", "MPa"},
+          {"cooling_tension_surface", "MPa"},
+          {"cooling_time", "s"}};
 }
 
 std::vector<LabelledText> cooling_lines(const Scene& scene, const State& state, const Summary& summary) {

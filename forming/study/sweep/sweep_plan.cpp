@@ -36,11 +36,13 @@ std::vector<CoarseCase> cases_of(const SweepPlan& plan, const SweepRun& run, con
   return cases;
 }
 
-/// Begins it with what the other run had at the end of the shared stages, where that one still has it.
+/// Begins it with what another run had at the end of the shared stages, where that one still has it.
 void take_over(const SweepPlan& plan, const SweepRun& run, const CoarseCase& one) {
+  if (!run.start && !plan.first) return;
   const std::string below = one.directory.substr(plan.folder(run).size());
-  const std::string source = plan.folder(plan.runs[run.start->run]) + below, &stage = run.start->stage;
-  if (fs::exists(source + "/checkpoint_after_" + stage + ".h5"))
+  const std::string source = (run.start ? plan.folder(plan.runs[run.start->run]) : plan.first->folder) + below;
+  const std::string& stage = run.start ? run.start->stage : plan.first->stage;
+  if (source != one.directory && fs::exists(source + "/checkpoint_after_" + stage + ".h5"))
     make_branch({run.name, one.directory, one.accuracy, one.overrides, BranchPoint{source, stage}, ""}, one.file);
 }
 
@@ -48,6 +50,7 @@ void take_over(const SweepPlan& plan, const SweepRun& run, const CoarseCase& one
 RunFiles files_of(const SweepPlan& plan, const SweepRun& run) {
   RunFiles files;
   files.fields = files.stage_checkpoints = plan.sweep.keep == Keep::all;
+  if (plan.first && plan.first->folder == plan.folder(run)) files.shared_stages.insert(plan.first->stage);
   for (const SweepRun& other : plan.runs)
     if (other.start && plan.runs[other.start->run].name == run.name) files.shared_stages.insert(other.start->stage);
   return files;
@@ -59,7 +62,7 @@ void make_run(const SweepPlan& plan, const SweepRun& run, bool (*stop)()) {
   const RunFiles files = files_of(plan, run);
   for (const CoarseCase& one : cases_of(plan, run, plan.folder(run))) {
     if (!has_ended(one)) {
-      if (run.start && !has_checkpoint(one.directory)) take_over(plan, run, one);
+      if (!has_checkpoint(one.directory)) take_over(plan, run, one);
       if (!finish(one, {}, stop, files)) return;
     }
     if (state_of(plan, run).status == SweepState::Status::failed) return;

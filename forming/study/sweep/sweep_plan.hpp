@@ -62,10 +62,17 @@ struct SweepRun {
   std::optional<SharedStart> start;    ///< none: from the beginning
 };
 
+/// A run, maybe of another plan, whose first stages all runs share.
+struct FirstRun {
+  std::string folder;
+  std::string stage;  ///< the last of them; the run keeps what it had at its end
+};
+
 struct SweepPlan {
   Sweep sweep;
   std::string output;  ///< folder of the runs
   std::vector<SweepRun> runs;
+  std::optional<FirstRun> first = {};  ///< runs that begin with no other one of the plan take over from it
 
   std::string folder(const SweepRun& run) const { return output + '/' + run.name; }
 };

@@ -12,6 +12,7 @@
 #include "forming/report/files/case_copy.hpp"
 #include "forming/scene/materials/material_library.hpp"
 #include "forming/study/comparison/what_if/tool_overlap.hpp"
+#include "forming/study/comparison/what_if/what_if.hpp"
 #include "forming/study/setting_error.hpp"
 
 namespace parison::forming {
@@ -138,6 +139,20 @@ void check_corners(const SearchCase& search) {
   std::string text = fmt::format("{}: {}", search.file, fmt::join(refused.begin(), refused.begin() + told, "; "));
   if (told < refused.size()) text += fmt::format("; and at {} of {} corners more", refused.size() - told, corners);
   throw core::CaseError(text);
+}
+
+std::optional<std::string> shared_stage(const SearchCase& search) {
+  const auto at_bounds = [&](double (SearchVariable::*bound)() const) {
+    std::vector<std::string> overrides = search.overrides;
+    for (const SearchVariable& variable : search.variables)
+      overrides.push_back(variable.key + '=' + variable.text((variable.*bound)()));
+    return read_scene(search.case_path, search.accuracy, overrides);
+  };
+  try {
+    return last_common_stage(at_bounds(&SearchVariable::low), at_bounds(&SearchVariable::high));
+  } catch (const core::CaseError&) {
+    return std::nullopt;  // refused there, so that nothing is known to be shared
+  }
 }
 
 SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>& places, const std::string& output) {

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::string refusal_of(const SearchCase& search, const Scene& base, const Eigen:
 /// Reads the case at the start and at the corners of the bounds, of which there are up to 1024; throws core::CaseError
 /// with the values and reasons of all that are refused or whose tools overlap, eight of them at most.
 void check_corners(const SearchCase& search);
+
+/// The last stage up to whose end no variable changes anything; none where the first stage depends on them already.
+std::optional<std::string> shared_stage(const SearchCase& search);
 
 /// The runs of some places, which are asked for together.
 SweepPlan plan_runs(const SearchCase& search, const std::vector<Eigen::VectorXd>& places, const std::string& output);
