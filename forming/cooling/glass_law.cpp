@@ -12,6 +12,8 @@ namespace {
 /// 28 of them at most.
 constexpr double log_change = 1;
 constexpr int most_parts = 64;
+/// Relaxation of the fastest branch below which a point is solid: its stress keeps twelve digits.
+constexpr double no_relaxation = 1e-12;
 
 /// exp(-q) of each branch, and the mean of exp(-q s) over s from 0 to 1.
 struct Decay {
@@ -34,8 +36,11 @@ Branches follow(const Branches& fictive, const Decay& decay, double from, double
 Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, double to, double dt) {
   const Branches& weight = law.structure.weight;
   const double modulus = law.shear_modulus(), start = (weight * fictive).sum();
-  const double change = std::abs(law.log_viscosity(to, start) - law.log_viscosity(from, start));
-  const int parts = std::clamp(static_cast<int>(std::ceil(change / log_change)), 1, most_parts);
+  const double at_start = law.log_viscosity(from, start), at_end = law.log_viscosity(to, start);
+  const double fastest = std::min(law.shear.time.minCoeff(), law.structure.time.minCoeff());
+  if (dt * modulus < no_relaxation * fastest * std::exp(std::min(at_start, at_end)))
+    return {Branches::Ones(), modulus * law.shear.weight, fictive, law.solid_expansion * (to - from)};
+  const int parts = std::clamp(static_cast<int>(std::ceil(std::abs(at_end - at_start) / log_change)), 1, most_parts);
   Relaxation result{Branches::Ones(), Branches::Zero(), fictive, 0};
   for (int part = 0; part < parts; ++part) {
     const double here = from + (to - from) * part / parts, next = from + (to - from) * (part + 1) / parts;

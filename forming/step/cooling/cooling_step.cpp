@@ -28,16 +28,22 @@ void store(cooling::GlassMemory memory, GlassState& glass) {
   glass.mean_pressure = std::move(memory.pressure);
 }
 
-/// A change of temperature, K, with its weight: where glass relaxes within the step it counts for more, because there
-/// it decides what stress stays.
-double weighted_change(const cooling::GlassLaw& law, const cooling::MemoryStep& step, double change) {
+/// The largest change of temperature, K, with its weight: in cells in which glass relaxes within the step it counts for
+/// more, because there it decides what stress stays. `change`: by node, K.
+double weighted_change(const cooling::GlassLaw& law, const core::Mesh& mesh, const cooling::MemoryStep& step,
+                       const Eigen::VectorXd& change) {
   constexpr double more = 7, steep = 10;  // full weight where between a tenth and nine tenths of the strain stay stress
-  double relaxing = 0;
-  for (const cooling::Relaxation& at : step.relaxation) {
-    const double share = at.modulus.sum() / law.shear_modulus();
-    relaxing = std::max(relaxing, share * (1 - share));
+  double largest = 0;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    double relaxing = 0, of_cell = 0;
+    for (Index q = 0; q < core::cell_points; ++q) {
+      const double share = step.relaxation[c * core::cell_points + q].modulus.sum() / law.shear_modulus();
+      relaxing = std::max(relaxing, share * (1 - share));
+    }
+    for (const Index node : mesh.cells()[c]) of_cell = std::max(of_cell, std::abs(change[node]));
+    largest = std::max(largest, of_cell * (1 + more * std::min(1.0, steep * relaxing)));
   }
-  return change * (1 + more * std::min(1.0, steep * relaxing));
+  return largest;
 }
 
 /// The equilibrium on the mesh in the middle of the step; `velocity` is the one expected, m/s.
@@ -70,7 +76,7 @@ void report_step(const StepStart& start, const cooling::MemoryStep& step, const 
   report.locked_contacts = solution.locked;
   report.contacts = static_cast<Index>(std::count(solution.active.begin(), solution.active.end(), true));
   report.strain = start.dt * solution.high_rate;
-  report.temperature_change = weighted_change(*start.scene.glass.annealing, step, change.lpNorm<Eigen::Infinity>());
+  report.temperature_change = weighted_change(*start.scene.glass.annealing, start.state.glass.mesh, step, change);
 }
 
 }  // namespace
