@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace parison::cooling {
 
@@ -47,11 +48,13 @@ Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, doub
     const double before = (weight * result.fictive).sum();
     double middle = before, relaxed = 0;
     Branches after;
-    constexpr int passes = 2;  // the second is of second order
+    constexpr int passes = 2;             // the second is of second order
+    constexpr double hardly_any = 1e-3;  // K, which changes no viscosity by more than a ten thousandth
     for (int pass = 0; pass < passes; ++pass) {
       relaxed = dt / parts * modulus / std::exp(law.log_viscosity(0.5 * (here + next), middle));
       after = follow(result.fictive, Decay(relaxed / law.structure.time), here, next);
-      middle = 0.5 * (before + (weight * after).sum());
+      const double found = 0.5 * (before + (weight * after).sum());
+      if (std::abs(std::exchange(middle, found) - found) < hardly_any) break;
     }
     const Decay shear(relaxed / law.shear.time);
     result.kept *= shear.left;

@@ -16,8 +16,8 @@ constexpr Index stress_size = tensor_size * branches;
 /// The stresses of the branches of a point, a column for each.
 using PointStress = Eigen::Matrix<double, tensor_size, branches>;
 
-PointStress stress_of(const GlassMemory& memory, Index point) {
-  return Eigen::Map<const PointStress>(memory.stress.data() + stress_size * point);
+Eigen::Map<const PointStress> stress_of(const Eigen::VectorXd& stress, Index point) {
+  return Eigen::Map<const PointStress>(stress.data() + stress_size * point);
 }
 
 Eigen::VectorXd at_points(const core::Mesh& mesh, const Eigen::VectorXd& nodal) {
@@ -63,7 +63,7 @@ MemoryStep start_step(const GlassLaw& law, const core::Mesh& mesh, const GlassMe
   step.flow.pressure = memory.pressure.head(mesh.vertex_count());
   for (Index k = 0; k < from.size(); ++k) {
     const Relaxation at = relax(law, memory.fictive.segment<branches>(branches * k).array(), from[k], to[k], dt);
-    const Eigen::Vector4d left = stress_of(memory, k) * at.kept.matrix();
+    const Eigen::Vector4d left = stress_of(memory.stress, k) * at.kept.matrix();
     step.flow.stress.push_back({left[0], left[1], left[2], left[3]});
     step.flow.viscosity.push_back(at.modulus.sum() * dt);
     step.flow.expansion_rate.push_back(3 * at.strain / dt);
@@ -78,7 +78,7 @@ GlassMemory end_step(const MemoryStep& step, const GlassMemory& before, const co
   for (Index k = 0; k < static_cast<Index>(strains.size()); ++k) {
     const Relaxation& at = step.relaxation[k];
     const Eigen::Map<const Eigen::Vector4d> deviator(strains[k].deviator.data());
-    PointStress stress = stress_of(before, k) * at.kept.matrix().asDiagonal();
+    PointStress stress = stress_of(before.stress, k) * at.kept.matrix().asDiagonal();
     stress += 2 * deviator * at.modulus.matrix().transpose();
     turn(strains[k].rotation, stress);
     Eigen::Map<PointStress>(memory.stress.data() + stress_size * k) = stress;
@@ -88,20 +88,21 @@ GlassMemory end_step(const MemoryStep& step, const GlassMemory& before, const co
   return memory;
 }
 
-std::vector<SectionTensor> stress_at_points(const core::Mesh& mesh, const GlassMemory& memory) {
-  const Eigen::VectorXd pressure = at_points(mesh, memory.pressure);
+std::vector<SectionTensor> stress_at_points(const core::Mesh& mesh, const Eigen::VectorXd& stress,
+                                            const Eigen::VectorXd& nodal_pressure) {
+  const Eigen::VectorXd pressure = at_points(mesh, nodal_pressure);
   std::vector<SectionTensor> result;
   result.reserve(pressure.size());
   for (Index k = 0; k < pressure.size(); ++k) {
-    const Eigen::Vector4d deviator = stress_of(memory, k).rowwise().sum();
+    const Eigen::Vector4d deviator = stress_of(stress, k).rowwise().sum();
     result.push_back({deviator[0] - pressure[k], deviator[1] - pressure[k], deviator[2] - pressure[k], deviator[3]});
   }
   return result;
 }
 
-Eigen::VectorXd fictive_at_points(const GlassLaw& law, const GlassMemory& memory) {
-  const Eigen::Index points = memory.fictive.size() / branches;
-  return memory.fictive.reshaped(branches, points).transpose() * law.structure.weight.matrix();
+Eigen::VectorXd fictive_at_points(const GlassLaw& law, const Eigen::VectorXd& fictive) {
+  const Eigen::Index points = fictive.size() / branches;
+  return fictive.reshaped(branches, points).transpose() * law.structure.weight.matrix();
 }
 
 }  // namespace parison::cooling

@@ -31,8 +31,9 @@ MemoryStep start_step(const GlassLaw& law, const core::Mesh& mesh, const GlassMe
 GlassMemory end_step(const MemoryStep& step, const GlassMemory& before, const core::Mesh& mesh,
                      const std::vector<flow::PointStrain>& strains, const Eigen::VectorXd& pressure);
 
-/// Stress at each point, Pa, tension positive.
-std::vector<flow::SectionTensor> stress_at_points(const core::Mesh& mesh, const GlassMemory& memory);
+/// Stress at each point, Pa, tension positive, from the stress and the pressure that glass remembers.
+std::vector<flow::SectionTensor> stress_at_points(const core::Mesh& mesh, const Eigen::VectorXd& stress,
+                                                  const Eigen::VectorXd& nodal_pressure);
 /// Fictive temperature at each point, K: the mean over the branches of the law.
-Eigen::VectorXd fictive_at_points(const GlassLaw& law, const GlassMemory& memory);
+Eigen::VectorXd fictive_at_points(const GlassLaw& law, const Eigen::VectorXd& fictive);
 }  // namespace parison::cooling

@@ -69,7 +69,7 @@ double mean_work_error(const State& start, const StepReport& report) {
 
 /// s; the output of a stage that cools is even over its duration.
 double output_interval(const Scene& scene, Index stage) {
-  constexpr int outputs = 10;
+  constexpr int outputs = 6;
   return scene.stages[stage].cools ? scene.stages[stage].duration / outputs : scene.output.interval;
 }
 

@@ -102,7 +102,7 @@ struct CoolingBody {
   }
   /// Component of the stress at the node nearest to a place, MPa.
   double stress(const Point& at, Index component) const {
-    const auto points = stress_at_points(mesh, memory);
+    const auto points = stress_at_points(mesh, memory.stress, memory.pressure);
     const Eigen::Map<const Eigen::VectorXd> flat(points.front().data(), 4 * Index(points.size()));
     Index nearest = 0;
     for (Index n = 0; n < mesh.node_count(); ++n)

@@ -76,7 +76,7 @@ TEST(CooledBodies, a_slow_sphere_freezes_its_parabola) {
 /// Deepest unbalanced force on a free node over stress times section.
 double imbalance(const CoolingBody& body) {
   const auto geometry = flow::cell_geometry(body.mesh, body.geometry);
-  const auto stress = stress_at_points(body.mesh, body.memory);
+  const auto stress = stress_at_points(body.mesh, body.memory.stress, body.memory.pressure);
   flow::StressMemory held{{}, 1, stress, Eigen::VectorXd::Zero(body.mesh.vertex_count()), {}};
   held.expansion_rate.assign(stress.size(), 0);
   flow::Problem problem = body.problem;

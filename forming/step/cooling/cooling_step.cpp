@@ -125,7 +125,7 @@ StepResult cooling_step(const StepStart& start, Workspace& workspace) {
 
 Eigen::VectorXd nodal_stress(const GlassState& glass, bool only_surface) {
   if (glass.branch_stress.size() == 0) return {};
-  const auto points = cooling::stress_at_points(glass.mesh, memory_of(glass));
+  const auto points = cooling::stress_at_points(glass.mesh, glass.branch_stress, glass.mean_pressure);
   constexpr Index components = 4;
   const Eigen::Map<const Eigen::VectorXd> values(points.front().data(), components * Index(points.size()));
   std::vector<bool> vertices;
@@ -138,7 +138,7 @@ Eigen::VectorXd nodal_stress(const GlassState& glass, bool only_surface) {
 
 Eigen::VectorXd nodal_fictive_temperature(const Scene& scene, const GlassState& glass) {
   if (glass.fictive_temperature.size() == 0) return {};
-  return cooling::to_nodes(glass.mesh, cooling::fictive_at_points(*scene.glass.annealing, memory_of(glass)), 1);
+  return cooling::to_nodes(glass.mesh, cooling::fictive_at_points(*scene.glass.annealing, glass.fictive_temperature), 1);
 }
 
 }  // namespace parison::forming

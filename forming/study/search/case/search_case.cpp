@@ -55,7 +55,7 @@ std::vector<std::string> write_drawings(const Scene& base, const Scene& found, c
   std::vector<std::string> written;
   for (std::size_t i = 0; i < found.tools.size(); ++i) {
     const Tool& tool = found.tools[i];
-    if (i < base.tools.size() && same_outline(tool.profile, base.tools[i].profile)) continue;
+    if (i >= base.tools.size() || same_outline(tool.profile, base.tools[i].profile)) continue;
     written.push_back(tool.name + ".dxf");
     core::replace_file(output + '/' + written.back(), dxf_text(tool.profile, tool.name));
   }
@@ -75,12 +75,15 @@ std::string dxf_text(const core::Profile& outline, const std::string& layer) {
 std::vector<std::string> write_case(const SearchCase& search, const Eigen::VectorXd& at, const std::string& output) {
   std::vector<std::string> overrides = search.overrides;
   for (std::string& setting : settings_at(search.variables, at)) overrides.push_back(std::move(setting));
-  const bool changes_material = std::any_of(overrides.begin(), overrides.end(), [](const std::string& assignment) {
-    return assignment.rfind("material.", 0) == 0;
-  });
-  core::CaseFile file =
-      changes_material ? read_case(search.case_path, overrides) : core::read_case_file(search.case_path);
-  if (!changes_material)
+  core::CaseFile file = core::read_case_file(search.case_path);
+  // Of a bundled material or of the stages that `cooling` adds a part can be set where the whole is in the file.
+  const bool adds_to_file = core::member(file.root, "cooling") ||
+                            std::any_of(overrides.begin(), overrides.end(), [](const std::string& assignment) {
+                              return assignment.rfind("material.", 0) == 0 || assignment.rfind("cooling", 0) == 0;
+                            });
+  if (adds_to_file)
+    file = read_case(search.case_path, overrides);
+  else
     for (const std::string& assignment : overrides) core::override_value(file, assignment);
   const Scene found = read_scene(search.case_path, search.accuracy, overrides);
   core::remove_own(case_copy_folder(output));
