@@ -48,7 +48,7 @@ Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, doub
     const double before = (weight * result.fictive).sum();
     double middle = before, relaxed = 0;
     Branches after;
-    constexpr int passes = 2;             // the second is of second order
+    constexpr int passes = 2;            // the second is of second order
     constexpr double hardly_any = 1e-3;  // K, which changes no viscosity by more than a ten thousandth
     for (int pass = 0; pass < passes; ++pass) {
       relaxed = dt / parts * modulus / std::exp(law.log_viscosity(0.5 * (here + next), middle));

@@ -130,8 +130,8 @@ Eigen::VectorXd to_nodes(const core::Mesh& mesh, const Eigen::VectorXd& at_point
   std::vector<Index> last_near(mesh.cells().size(), -1);
   const auto is_wanted = [&](Index vertex) { return vertices.empty() || vertices[vertex]; };
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (is_wanted(v)) patches[v] =
-          fit(mesh.nodes[v], cells_near(mesh, around, v, last_near), places, straight, along, components);
+    if (is_wanted(v))
+      patches[v] = fit(mesh.nodes[v], cells_near(mesh, around, v, last_near), places, straight, along, components);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(components, mesh.node_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (is_wanted(v)) result.col(v) = patches[v].at(mesh.nodes[v]);

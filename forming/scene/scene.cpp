@@ -298,6 +298,7 @@ Scene read_scene(const std::string& path, const std::string& accuracy, const std
   check_no_overlap(scene, root.tables("tool"));
   check_interfaces(scene, root.tables("stage"));
   check_support(scene, root);
+  check_standing(scene, root);
   check_motions(scene, root.tables("stage"));
   check_solid(scene, root);
   scene.files = std::make_shared<const std::vector<core::ReadFile>>(std::move(record.files));

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/files.hpp"
 #include "cooling_body.hpp"
+#include "core/io/files.hpp"
 #include "figure.hpp"
 #include "forming/report/thickness_profile.hpp"
 #include "forming/run/run.hpp"
@@ -125,7 +125,7 @@ class Annealing : public ::testing::Test {
 
 /// Hoop stress of the middle, MPa, by points through the thickness: with a steady rate its temperatures are a parabola.
 double middle_by_points(const Curve& curve, int steps) {
-  constexpr double diffusivity = 1.3 / (2500 * 1100), settling = 20;  // m2/s, s
+  constexpr double diffusivity = 1.3 / (2500 * 1100), settling = 20;             // m2/s, s
   const double apart = std::pow(cooling::thickness / 2, 2) / (2 * diffusivity);  // K for each K/s
   const double hot = 600 + core::zero_celsius, cold = 20 + core::zero_celsius;
   cooling::History history{{{0}, {hot}}, {{0}, {0}}};
@@ -163,9 +163,8 @@ Curve as_good(const Curve& curve, double slow_rate) {
 TEST_F(Annealing, the_shortest_curve_of_a_plate_is_slow_through_the_range_and_fast_below) {
   core::write_text(folder / "case.toml", plate);
   core::write_text(folder / "goal.toml", sought);
-  const Goal goal = read_goal((folder / "goal.toml").string(), [](const std::string& from, const std::string& name) {
-    return from + '/' + name;
-  });
+  const Goal goal = read_goal((folder / "goal.toml").string(),
+                              [](const std::string& from, const std::string& name) { return from + '/' + name; });
   const std::vector<std::string> found = search(goal);
   const Scene scene = read_scene((folder / "case.toml").string(), "draft", found);
   const Curve curve{scene.stages[0].duration, scene.stages[1].duration, scene.stages[0].air.air_temperature(1e9)};

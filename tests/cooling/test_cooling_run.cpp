@@ -132,5 +132,20 @@ TEST_F(CoolingRun, mistakes_are_told_in_a_sentence_before_the_run) {
       << complaint(twice);
 }
 
+TEST(Standing, a_bottle_with_a_round_bottom_is_refused_where_it_is_put_down) {
+  const std::string bottle = PARISON_SOURCE_DIR "/cases/bottle", cold = "cooling=standard";
+  const std::string round = R"(tool.mould.boundary.inner.path=["(13, 16) (25, 36) (25, 86) mm",
+    "arc centre (0, 86) mm radius 25 mm from 0 deg to 90 deg"])";
+  EXPECT_NO_THROW(read_scene(bottle, "draft", {cold}));
+  EXPECT_NO_THROW(read_scene(bottle, "draft", {round})) << "it is not put down";
+  try {
+    read_scene(bottle, "draft", {cold, round});
+    ADD_FAILURE() << "it would fall over";
+  } catch (const core::CaseError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("cannot stand was found: its bottom is round, with a radius of 25 mm"), said.npos) << said;
+  }
+}
+
 }  // namespace
 }  // namespace parison::forming

@@ -93,8 +93,7 @@ void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFie
   if (glass.branch_stress.size() == 0) return;
   const NodalStress stress(glass);
   // On a surface one of the two in the section vanishes, the other is along the meridian.
-  const Eigen::ArrayXd meridional =
-      (stress.mean < 0).select(stress.mean - stress.radius, stress.mean + stress.radius);
+  const Eigen::ArrayXd meridional = (stress.mean < 0).select(stress.mean - stress.radius, stress.mean + stress.radius);
   fields.nodal.push_back({"stress_hoop_MPa", stress.hoop.matrix()});
   fields.nodal.push_back({"stress_meridional_MPa", meridional.matrix()});
   fields.nodal.push_back({"stress_principal_MPa", stress.principal().matrix()});

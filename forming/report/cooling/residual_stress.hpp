@@ -32,8 +32,8 @@ void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFie
 /// The object `cooling` of summary.json: hot and cold container, tensions, temper number.
 void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state, const Summary& summary);
 /// Adds what a search or a comparison asks of the cold container: `temper_number` (real, of the base), principal
-/// tension in MPa, `residual_tension` anywhere in the glass, `residual_tension_surface`, `cooling_tension_surface` at any
-/// time while it cooled, and `cooling_time`, s, from the take-out to the end. Nothing of glass that has not cooled.
+/// tension in MPa, `residual_tension` anywhere in the glass, `residual_tension_surface`, `cooling_tension_surface` at
+/// any time while it cooled, and `cooling_time`, s, from the take-out to the end. Nothing of glass that has not cooled.
 void add_cooling_quantities(const Scene& scene, const State& state, const Summary& summary, Quantities& found);
 /// Those that a run of a scene may have: names and units.
 std::vector<std::pair<const char*, const char*>> cooling_quantities_of(const Scene& scene);

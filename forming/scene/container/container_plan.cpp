@@ -10,6 +10,7 @@
 #include "forming/scene/container/crossings.hpp"
 #include "forming/scene/container/free_space.hpp"
 #include "forming/scene/container/hollow.hpp"
+#include "forming/scene/container/standing.hpp"
 #include "forming/scene/describe/dimensionless_numbers.hpp"
 #include "forming/scene/read/tolerances.hpp"
 
@@ -234,6 +235,7 @@ void plan_capacity(const Scene& scene, const Placed& placed, ContainerPlan& plan
   if (mould) {
     plan.outside = volume_in_space(placed, last, *mould);
     plan.mould_range = {mould->low, mould->high};
+    plan.falls = why_it_falls(*mould, rim_is_low ? -1 : 1);
     plan.rim = rim_is_low ? mould->low : mould->high;
     plan.capacity = *plan.outside - plan.glass_volume;
     if (plan.misfit.empty() && *plan.outside < (1 - fits) * plan.glass_volume)

@@ -41,7 +41,8 @@ struct ContainerPlan {
   std::optional<double> filled;    ///< to the fill level, m3, the inside of the finish as the plunger made it
   std::optional<std::pair<double, double>> mould_range;  ///< lowest and highest place of that mould, m
   std::optional<ParisonPlan> parison;  ///< none where no tools close a cavity before those of the last stage
-  double doubt = 0;  ///< share by which the volumes differ from those within chords of the same outlines
+  double doubt = 0;        ///< share by which the volumes differ from those within chords of the same outlines
+  std::string falls = {};  ///< why it cannot stand, a sentence; empty where it can or no mould is closed
 };
 
 /// Beyond it two ways to one volume contradict each other.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/describe/support.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "forming/scene/read/tolerances.hpp"
@@ -217,6 +218,17 @@ void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>&
       at[entry.tool].reset();
       if (!scene.stages[i].may_end_early()) at[entry.tool] = position->offset(scene.stages[i].duration);
     }
+}
+
+void check_standing(const Scene& scene, const core::CaseTable& root) {
+  if (!scene.container || scene.container->falls.empty()) return;
+  const auto stages = root.tables("stage");
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    if (const Stage& stage = scene.stages[i]; stage.cools && stage.gravity != 0 && !stage.tools.empty())
+      core::refuse(*core::member(*stages[i], "kind"),
+                   scene.container->falls +
+                       "; allowed is one with a flat bottom or a foot ring, or a last stage that "
+                       "forms");
 }
 
 void check_support(const Scene& scene, const core::CaseTable& root) {

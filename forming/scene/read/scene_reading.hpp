@@ -128,6 +128,8 @@ void check_no_overlap(const Scene& scene, const std::vector<const core::CaseNode
 /// Refuses flows without a unique answer: glass that nothing constrains along the axis, and glass enclosed on all
 /// sides.
 void check_support(const Scene& scene, const core::CaseTable& root);
+/// Refuses a container that would fall over where it is put down to cool.
+void check_standing(const Scene& scene, const core::CaseTable& root);
 /// Refuses a motion that does not start where the stages before leave its tool, where that is known.
 void check_motions(const Scene& scene, const std::vector<const core::CaseNode*>& stages);
 /// Refuses stages in which hot bodies can touch without an interface between them.

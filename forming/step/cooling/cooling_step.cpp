@@ -138,7 +138,8 @@ Eigen::VectorXd nodal_stress(const GlassState& glass, bool only_surface) {
 
 Eigen::VectorXd nodal_fictive_temperature(const Scene& scene, const GlassState& glass) {
   if (glass.fictive_temperature.size() == 0) return {};
-  return cooling::to_nodes(glass.mesh, cooling::fictive_at_points(*scene.glass.annealing, glass.fictive_temperature), 1);
+  return cooling::to_nodes(glass.mesh, cooling::fictive_at_points(*scene.glass.annealing, glass.fictive_temperature),
+                           1);
 }
 
 }  // namespace parison::forming

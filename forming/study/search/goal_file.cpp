@@ -54,9 +54,8 @@ TemperatureRange temperatures_of(const Goal& goal, const Scene& scene) {
 
 /// Weights, thicknesses and times are not negative; heat, heights and temperatures may be.
 bool is_never_negative(const std::string& name) {
-  static const std::vector<std::string> names{"weight",        "wall_rms",       "wall_min",
-                                              "thickness_min", "thickness_mean", "extent_r_max",
-                                              "temper_number"};
+  static const std::vector<std::string> names{"weight",         "wall_rms",     "wall_min",     "thickness_min",
+                                              "thickness_mean", "extent_r_max", "temper_number"};
   return std::count(names.begin(), names.end(), name) > 0 || name.rfind("time_", 0) == 0 ||
          name.rfind("peak_force_", 0) == 0 || name.rfind("residual_", 0) == 0 || name.rfind("cooling_", 0) == 0;
 }
