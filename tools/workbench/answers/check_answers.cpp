@@ -20,9 +20,10 @@ std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked)
   }
   if (const Asked* contour = asked.find("contour")) {
     const auto text = [&](const char* key) { return contour->text_of(key); };
-    return given_contour(one.file(), text("key"),
-                         {text("file"), text("unit"), text("layer"), text("from"), text("via"), text("to"),
-                          text("origin"), text("axis"), contour->flag_of("as_points")});
+    return given_contour(
+        one.file(), text("key"),
+        {text("file"), text("unit"), text("layer"), text("from"), text("via"), text("to"), text("origin"), text("axis"),
+         text("turn"), contour->flag_of("as_points"), contour->flag_of("with_sections")});
   }
   return assignments;
 }

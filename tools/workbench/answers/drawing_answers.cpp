@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <regex>
 
@@ -20,13 +21,14 @@ namespace fs = std::filesystem;
 
 constexpr double mm = 1e-3;
 
-void check_name(const std::string& name) {
-  static const std::regex allowed("[A-Za-z0-9_][A-Za-z0-9_. -]{0,100}\\.[dD][xX][fF]");
-  if (!std::regex_match(name, allowed))
-    throw core::CaseError(
-        fmt::format("\"{}\" was found, allowed are names of letters, digits, _, - and . that end with "
-                    ".dxf",
-                    name));
+/// The ending of a drawing's name in small letters, "dxf", "step" or "stp"; empty where it is no name of one.
+std::string kind_of(const std::string& name) {
+  static const std::regex allowed("[A-Za-z0-9_][A-Za-z0-9_. -]{0,100}\\.(dxf|step|stp)", std::regex::icase);
+  std::smatch match;
+  if (!std::regex_match(name, match, allowed)) return "";
+  std::string kind = match[1];
+  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  return kind;
 }
 
 /// The bytes of which each was sent as the letter with its number: drawings have code pages of their own.
@@ -52,7 +54,7 @@ void keep(const std::string& path, const std::string& content) {
 /// The table of a path with what is known of the drawing so far.
 core::CaseNode table_of(const std::string& name, const Asked& asked) {
   std::string text = fmt::format("{{ file = {}, from = \"(0, 0) mm\"", core::quoted(name));
-  for (const char* key : {"unit", "origin", "axis"})
+  for (const char* key : {"unit", "origin", "axis", "turn"})
     if (const std::string value = asked.text_of(key); !value.empty())
       text += fmt::format(", {} = {}", key, core::quoted(value));
   core::CaseNode place;
@@ -60,15 +62,16 @@ core::CaseNode table_of(const std::string& name, const Asked& asked) {
   return core::parse_value(text + " }", place);
 }
 
-void add_layers(const std::vector<std::string>& layers, const std::vector<core::Segment>& curves,
-                core::JsonWriter& json) {
+/// What a STEP file has is one layer without a name.
+void add_layers(const forming::DrawnCurves& drawing, core::JsonWriter& json) {
   constexpr int chords = 12;  // of an arc
+  const std::size_t layers = std::max<std::size_t>(drawing.layers.size(), drawing.curves.empty() ? 0 : 1);
   json.open_list("layers");
-  for (std::size_t i = 0; i < layers.size(); ++i) {
+  for (std::size_t i = 0; i < layers; ++i) {
     json.open_object("");
-    json.add("name", layers[i]);
+    json.add("name", drawing.layers.empty() ? "" : drawing.layers[i]);
     json.open_list("curves_mm");
-    for (const core::Segment& curve : curves) {
+    for (const core::Segment& curve : drawing.curves) {
       if (static_cast<std::size_t>(curve.boundary_id) != i) continue;
       json.open_list("");
       const int count = curve.is_arc ? chords : 1;
@@ -91,8 +94,7 @@ void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& j
   const fs::path folder = fs::path(state.open(asked.text_of("case")).file()).parent_path();
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".dxf" || entry.path().extension() == ".DXF")
-      names.push_back(entry.path().filename().string());
+    if (!kind_of(entry.path().filename().string()).empty()) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   json.open_list("drawings");
   for (const std::string& name : names) json.add("", name);
@@ -100,9 +102,11 @@ void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& j
 }
 
 void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
-  const std::string name = asked.text_of("name"), case_name = asked.text_of("case");
-  check_name(name);
-  const fs::path path = fs::path(state.open(case_name).file()).parent_path() / name;
+  const std::string name = asked.text_of("name"), case_name = asked.text_of("case"), kind = kind_of(name);
+  if (kind.empty())
+    throw core::CaseError(fmt::format(
+        "\"{}\" was found, allowed are names of letters, digits, _, - and . that end with .dxf, .step or .stp", name));
+  const fs::path folder = fs::path(state.open(case_name).file()).parent_path(), path = folder / name;
   if (const std::string text = asked.text_of("text"); !text.empty()) {
     if (is_bundled(case_name)) throw core::CaseError("a bundled case gets no drawings, allowed is a copy of it");
     keep(path.string(), bytes_of(text));
@@ -110,16 +114,20 @@ void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& js
   if (!is_bundled(case_name)) state.folder.existing(path.lexically_relative(state.folder.path()).string());
   const core::CaseNode node = table_of(name, asked);
   const core::CaseTable table(node, {"file", "from", "to", "unit", "layer", "origin", "axis", "turn"});
-  std::vector<std::string> layers, notes;
-  std::vector<core::Segment> curves;
+  std::vector<std::string> notes;
+  forming::DrawnCurves drawing;
+  const std::lock_guard<std::mutex> lock(state.reading);
   try {
-    curves = forming::read_dxf(table, path.string(), layers, notes);
-    forming::place(table, false, curves);
+    drawing = forming::read_drawing(table, folder.string(), notes);
+    forming::place(table, drawing.is_cut, drawing.curves);
   } catch (const core::CaseError& error) {
+    drawing = {};
     json.add("problem", error.what());
   }
   json.add("name", name);
-  add_layers(layers, curves, json);
+  json.add("step", kind != "dxf");
+  json.add("cut", drawing.is_cut);
+  add_layers(drawing, json);
   json.open_list("notes");
   for (const std::string& note : notes) json.add("", note);
   json.close();

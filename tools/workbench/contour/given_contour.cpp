@@ -6,13 +6,12 @@
 #include <cmath>
 #include <regex>
 
-#include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/case_file.hpp"
 #include "core/case/text/case_text.hpp"
-#include "core/case/tolerance.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
 #include "forming/scene/read/scene_reading.hpp"
 #include "tools/workbench/contour/walls.hpp"
+#include "tools/workbench/handles/handles.hpp"
 
 namespace parison::tools {
 namespace {
@@ -44,9 +43,7 @@ struct Target {
 
 Target target_of(const std::string& case_file, const std::string& key) {
   static const std::regex form("(tool\\.([0-9]{1,4}))\\.boundary\\.([0-9]{1,4})\\.path");
-  core::CaseFile file = core::read_case_file(case_file);
-  core::take_tolerances(file);
-  core::read_dimensions(file);
+  const core::CaseFile file = evaluated_case(case_file);
   std::smatch match;
   const CaseNode* tools = member(file.root, "tool");
   const std::size_t tool = std::regex_match(key, match, form) ? std::stoul(match[2]) : 0;
@@ -67,18 +64,31 @@ std::string point_text(const Point& x) {
   return fmt::format("({}, {})", rounded(x[0] / mm), rounded(x[1] / mm));
 }
 
-std::string path_text(const DrawnContour& contour) {
+using Values = std::vector<std::pair<const char*, std::string>>;
+
+/// An inline table of the values that are given.
+std::string table_text(const Values& values) {
   std::string text;
-  for (const auto& [key, value] : {std::pair{"file", contour.file},
-                                   {"unit", contour.unit},
-                                   {"layer", contour.layer},
-                                   {"from", contour.from},
-                                   {"via", contour.via},
-                                   {"to", contour.to},
-                                   {"origin", contour.origin},
-                                   {"axis", contour.axis}})
+  for (const auto& [key, value] : values)
     if (!value.empty()) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, core::quoted(value));
   return "{ " + text + " }";
+}
+
+std::string path_text(const DrawnContour& contour) {
+  return table_text({{"file", contour.file},
+                     {"unit", contour.unit},
+                     {"layer", contour.layer},
+                     {"from", contour.from},
+                     {"via", contour.via},
+                     {"to", contour.to},
+                     {"origin", contour.origin},
+                     {"axis", contour.axis},
+                     {"turn", contour.turn}});
+}
+
+std::string sections_text(const DrawnContour& contour) {
+  return table_text(
+      {{"file", contour.file}, {"origin", contour.origin}, {"axis", contour.axis}, {"turn", contour.turn}});
 }
 
 CaseNode node_of(const std::string& text) {
@@ -120,12 +130,21 @@ Point point_of(const std::string& text) {
   return forming::read_point(node_of(core::quoted(text)));
 }
 
+/// Whether a contour is of the section of a solid, which is in the frame of its axis already.
+bool is_of_solid(const Target& target, const DrawnContour& contour) {
+  const CaseNode node = node_of(path_text(contour));
+  std::vector<std::string> notes;
+  const core::CaseTable table(node, {"file", "from", "via", "to", "unit", "layer", "origin", "axis", "turn"});
+  return forming::read_drawing(table, target.directory, notes).is_cut;
+}
+
 /// The contour higher by so much along z of the case.
-void lift(DrawnContour& contour, double by) {
+void lift(const Target& target, DrawnContour& contour, double by) {
   for (std::string* place : {&contour.from, &contour.via, &contour.to})
     if (!place->empty()) *place = point_text(point_of(*place) + by * core::axis_direction()) + " mm";
-  const bool across = contour.axis == "x" || contour.axis == "-x";
-  const double sign = contour.axis.compare(0, 1, "-") == 0 ? -1 : 1;
+  const std::string axis = is_of_solid(target, contour) ? "" : contour.axis;
+  const bool across = axis == "x" || axis == "-x";
+  const double sign = axis.compare(0, 1, "-") == 0 ? -1 : 1;
   const Point origin = contour.origin.empty() ? Point::Zero() : point_of(contour.origin);
   contour.origin = point_text(origin - sign * by * (across ? Point(1, 0) : Point(0, 1))) + " mm";
 }
@@ -143,7 +162,7 @@ void place_as(const Target& target, DrawnContour& contour) {
   if (!contour.to.empty() && along(before).dot(along(after)) < 0) std::swap(contour.from, contour.to);
   const Point *was = end_on_axis(before), *is = end_on_axis(after);
   if (member(target.tool, "position") && was && is && std::abs((*was)[1] - (*is)[1]) > same)
-    lift(contour, (*was)[1] - (*is)[1]);
+    lift(target, contour, (*was)[1] - (*is)[1]);
 }
 
 bool differ(const Contour& one, const Contour& other) {
@@ -185,6 +204,7 @@ std::vector<std::string> given_contour(const std::string& case_file, const std::
   }
   const std::string path = drawn.as_points ? points_text(read(target, drawn)) : path_text(drawn);
   assignments.insert(assignments.begin(), fmt::format("{}={}", key, path));
+  if (drawn.with_sections) assignments.push_back(fmt::format("{}.section={}", target.tool_key, sections_text(drawn)));
   return assignments;
 }
 

@@ -7,8 +7,9 @@ namespace parison::tools {
 
 /// A contour of a drawing beside a case, in the words of a `path` of a case; empty ones are left out.
 struct DrawnContour {
-  std::string file, unit, layer, from, via, to, origin, axis;
-  bool as_points = false;  ///< the case gets its points and arcs, without the drawing
+  std::string file, unit, layer, from, via, to, origin, axis, turn;
+  bool as_points = false;      ///< the case gets its points and arcs, without the drawing
+  bool with_sections = false;  ///< those of a tool that is not round are measured on the solid too
 };
 
 /// What gives a contour to a boundary of a tool, `tool.2.boundary.0.path`, as assignments for core::override_value. It

@@ -6,8 +6,11 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/case/arithmetic/named_dimensions.hpp"
 #include "core/case/case_error.hpp"
+#include "core/case/tolerance.hpp"
 #include "core/case/units.hpp"
+#include "forming/scene/read/scene_reading.hpp"
 #include "tools/workbench/handles/handles.hpp"
 
 namespace parison::tools {
@@ -40,8 +43,8 @@ struct Moved {
 };
 
 /// How much a movement of a corner shows: most where a side that the glass may touch moves across itself.
-double weight(const forming::Tool& tool, std::size_t corner, const core::Point& along) {
-  const auto& segments = tool.profile.segments;
+double weight(const forming::Tool& tool, const std::vector<core::Segment>& segments, std::size_t corner,
+              const core::Point& along) {
   double most = 0.01;
   for (const std::size_t i : {corner, (corner + segments.size() - 1) % segments.size()})
     if (tool.boundaries[segments[i].boundary_id].kind == core::BoundaryKind::contact)
@@ -49,15 +52,28 @@ double weight(const forming::Tool& tool, std::size_t corner, const core::Point& 
   return most * along.norm();
 }
 
-Moved most_moved(const forming::Scene& before, const forming::Scene& after, double step) {
+/// The outlines of the tools of a case with what is set in it: nothing else is read, as that takes far longer.
+std::vector<core::Profile> outlines_of(const std::string& file, const std::vector<std::string>& assignments) {
+  const core::CaseFile evaluated = evaluated_case(file, assignments);
+  std::vector<core::Profile> outlines;
+  std::vector<std::string> notes;
+  const core::CaseNode* tools = member(evaluated.root, "tool");
+  for (std::size_t t = 0; tools && t < tools->items.size(); ++t)
+    if (const core::CaseNode* boundaries = member(tools->items[t], "boundary"))
+      outlines.push_back(forming::read_outline(*boundaries, evaluated.directory, notes));
+  return outlines;
+}
+
+Moved most_moved(const forming::Scene& scene, const std::vector<core::Profile>& before,
+                 const std::vector<core::Profile>& after, double step) {
   Moved most;
-  for (std::size_t t = 0; t < before.tools.size(); ++t) {
-    const forming::Tool& tool = before.tools[t];
-    const auto &from = tool.profile.segments, &to = after.tools[t].profile.segments;
+  for (std::size_t t = 0; t < before.size(); ++t) {  // a plate of standard cooling stands behind those of the file
+    const forming::Tool& tool = scene.tools[t];
+    const auto &from = before.at(t).segments, &to = after.at(t).segments;
     for (std::size_t i = 0; i < from.size() && i < to.size(); ++i) {
       const core::Point along = (to[i].start - from[i].start) / step;
       if (along.norm() < 1e-3) continue;
-      if (const double counts = weight(tool, i, along); counts > 1.01 * most.counts)
+      if (const double counts = weight(tool, from, i, along); counts > 1.01 * most.counts)
         most = {tool.name, from[i].start + tool.position * core::axis_direction(), along, counts};
     }
   }
@@ -65,13 +81,13 @@ Moved most_moved(const forming::Scene& before, const forming::Scene& after, doub
 }
 
 /// The case with a dimension a little larger, or smaller where the reader refuses that.
-Moved moved_by(const std::string& file, const forming::Scene& scene, const std::string& name, const Length& length) {
+Moved moved_by(const std::string& file, const forming::Scene& scene, const std::vector<core::Profile>& outlines,
+               const std::string& name, const Length& length) {
   for (const double step : {0.02 * mm, -0.02 * mm}) {
-    std::vector<std::string> overrides = scene.overrides;
-    overrides.push_back(
-        fmt::format("dimension.{}=\"{} {}\"", name, length.number + step / length.unit, length.unit_text));
+    const std::string assignment =
+        fmt::format("dimension.{}=\"{} {}\"", name, length.number + step / length.unit, length.unit_text);
     try {
-      return most_moved(scene, forming::read_scene(file, scene.accuracy_name, overrides), step);
+      return most_moved(scene, outlines, outlines_of(file, {assignment}), step);
     } catch (const core::CaseError&) {
     }
   }
@@ -80,14 +96,23 @@ Moved moved_by(const std::string& file, const forming::Scene& scene, const std::
 
 }  // namespace
 
+core::CaseFile evaluated_case(const std::string& case_file, const std::vector<std::string>& assignments) {
+  core::CaseFile file = core::read_case_file(case_file);
+  for (const std::string& assignment : assignments) core::override_value(file, assignment);
+  core::take_tolerances(file);
+  core::read_dimensions(file);
+  return file;
+}
+
 void add_dimension_handles(const std::string& case_file, const forming::Scene& scene, core::JsonWriter& json) {
-  constexpr std::size_t most_shown = 40;  // each takes a reading of the case
+  constexpr std::size_t most_shown = 40;  // each takes a reading of the outlines
   std::size_t shown = 0;
+  const std::vector<core::Profile> outlines = outlines_of(case_file, {});
   json.open_list("handles");
   for (const auto& dimension : scene.dimensions) {
     const auto length = length_of(dimension.given);
     if (!length || ++shown > most_shown) continue;
-    const Moved moved = moved_by(case_file, scene, dimension.name, *length);
+    const Moved moved = moved_by(case_file, scene, outlines, dimension.name, *length);
     if (moved.along.norm() < 0.01) continue;
     json.open_object("");
     json.add("name", dimension.name);

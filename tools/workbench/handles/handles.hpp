@@ -3,14 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case_file.hpp"
 #include "core/io/json.hpp"
 #include "core/mesh/mesh.hpp"
 #include "forming/scene/scene.hpp"
 
 namespace parison::tools {
 
+/// A case with what is set in it and its formulas as numbers.
+core::CaseFile evaluated_case(const std::string& case_file, const std::vector<std::string>& assignments = {});
+
 /// Adds, as `handles`, where each named dimension of a case that is one length moves a corner of a tool most, and which
-/// way; found by reading the case with the dimension a little larger. `overrides` are those of the scene.
+/// way; found by reading the outlines with the dimension a little larger.
 void add_dimension_handles(const std::string& case_file, const forming::Scene& scene, core::JsonWriter& json);
 
 /// What moves a corner of a tool that its paths give by plain numbers, as assignments for core::override_value.

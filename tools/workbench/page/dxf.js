@@ -8,6 +8,7 @@ import { word } from "./words.js";
 
 const clicks = ["axisClick", "planeClick", "fromClick", "toClick", "viaClick"]; // in the order in which they follow each other
 const ends = { fromClick: "from", viaClick: "via", toClick: "to" };
+const axes = { sheet: ["", "-y", "x", "-x"], step: ["", "x", "-x", "y", "-y", "z", "-z"] }; // "" is what the reader takes without one
 const colours = 6;
 
 /** The boundaries of the tools as [key, tool, label], those that the glass may touch and the others. */
@@ -21,12 +22,12 @@ function boundaries() {
 }
 
 export function dxfPart() {
-  const state = { name: "", unit: "", axis: "y", origin: [0, 0], click: "axisClick", hidden: new Set(), from: null, via: null, to: null, answer: null, zoom: 1, shift: [0, 0] };
+  const state = { name: "", unit: "", axis: "", turn: "", origin: [0, 0], click: "axisClick", hidden: new Set(), from: null, via: null, to: null, answer: null, zoom: 1, shift: [0, 0] };
   const files = element("select", { "aria-label": word("chooseDrawing"), onchange: () => load(files.value) });
-  const input = element("input", { type: "file", accept: ".dxf", id: "dxf-file", onchange: () => input.files[0] && take(input.files[0]) });
-  const choice = (id, values, action) => element("select", { id, onchange: (event) => action(event.target.value) }, ...values.map((one) => element("option", { value: one }, word(`${id}-${one}`))));
+  const input = element("input", { type: "file", accept: ".dxf,.step,.stp", id: "dxf-file", onchange: () => input.files[0] && take(input.files[0]) });
   const unit = element("select", { id: "dxf-unit", onchange: () => ((state.unit = unit.value), load()) }, ...["", "mm", "cm", "in"].map((one) => element("option", { value: one }, one || word("unitOfFile"))));
-  const axis = choice("dxf-axis", ["y", "-y", "x", "-x"], (value) => ((state.axis = value), forgetPlaces(), load()));
+  const axis = element("select", { id: "dxf-axis", onchange: () => ((state.axis = axis.value), forgetPlaces(), load()) });
+  const turn = element("input", { id: "dxf-turn", type: "number", step: "any", onchange: () => ((state.turn = turn.value && `${turn.value} deg`), forgetPlaces(), load()) });
   const target = element("select", { id: "dxf-target", "aria-label": word("tool"), onchange: () => show() });
   const level = element("input", { type: "number", step: "any", value: 0, id: "dxf-level" });
   const layers = element("div", { class: "bar", id: "dxf-layers" });
@@ -38,18 +39,25 @@ export function dxfPart() {
   const whole = element("button", { onclick: () => (Object.assign(state, { zoom: 1, shift: [0, 0] }), draw()) }, word("whole"));
   const give = element("button", { class: "main", id: "dxf-give", onclick: () => assign() }, word("give"));
 
-  const asPoints = element("input", { type: "checkbox", id: "dxf-points" });
+  const asPoints = element("input", { type: "checkbox", id: "dxf-points" }), sections = element("input", { type: "checkbox", id: "dxf-sections" });
+  const tick = (label, ...parts) => element("label", { class: "tick" }, label, ...parts);
+  const unitLabel = tick(word("unit"), unit), axisName = element("span"), axisLabel = tick(axisName, axis), turnLabel = tick(word("turnOfCut"), turn, "°"), sectionsLabel = tick(sections, word("withSections"));
 
   const originText = () => `(${shown(state.origin[0], 4)}, ${shown(state.origin[1], 4)}) mm`;
   const forgetPlaces = () => Object.assign(state, { from: null, via: null, to: null });
   const load = (...asked) => (state.loading = read(...asked));
   async function read(name = state.name, text = "") {
     if (!name) return;
-    if (name !== state.name) Object.assign(state, { hidden: new Set(), zoom: 1, shift: [0, 0], click: "axisClick" }), forgetPlaces();
+    if (name !== state.name) {
+      Object.assign(state, { hidden: new Set(), zoom: 1, shift: [0, 0], click: "axisClick", unit: "", axis: "", turn: "", origin: [0, 0], given: "" }), forgetPlaces();
+      unit.value = turn.value = "";
+      sections.checked = false;
+    }
     state.name = name;
-    const asked = { case: model.name, name, text, unit: state.unit, axis: state.axis, origin: originText() };
+    const asked = { case: model.name, name, text, unit: state.unit, axis: state.axis, turn: state.turn, origin: originText() };
     const answer = await tryAsk("drawing", asked);
     if (answer) state.answer = answer;
+    if (answer && answer.cut && state.click === "axisClick") state.click = "planeClick"; // a section of a solid has its axis
     svg.dataset.axis = asked.axis;
     show();
     if (answer && text) await list();
@@ -86,9 +94,11 @@ export function dxfPart() {
       }
     return best;
   }
+  /** The direction of z in the frame of the drawing; the section of a solid is in that of its axis. */
+  const way = () => (state.answer.cut || state.axis === "y" ? "" : state.axis);
   /** From the frame of the case to that of the drawing. */
   const inDrawing = ([r, z]) => {
-    const [x, y] = { y: [r, z], "-y": [-r, -z], x: [z, -r], "-x": [-z, r] }[state.axis];
+    const [x, y] = { "": [r, z], "-y": [-r, -z], x: [z, -r], "-x": [-z, r] }[way()];
     return [x + state.origin[0], y + state.origin[1]];
   };
   async function click(event) {
@@ -114,9 +124,9 @@ export function dxfPart() {
   }
   function pick(end) {
     if (!end) return;
-    const place = inDrawing(end.at), along = state.axis.endsWith("y") ? 1 : 0, click = state.click;
+    const place = inDrawing(end.at), along = way().endsWith("x") ? 0 : 1, click = state.click;
     if (click === "axisClick") state.origin[1 - along] = place[1 - along];
-    else if (click === "planeClick") state.origin[along] = place[along] - (state.axis.startsWith("-") ? -1 : 1) * (level.valueAsNumber || 0);
+    else if (click === "planeClick") state.origin[along] = place[along] - (way().startsWith("-") ? -1 : 1) * (level.valueAsNumber || 0);
     else state[ends[click]] = end.at;
     if (click === "fromClick") Object.assign(state, { via: null, to: null, layers: end.layers });
     if (click === "toClick") {
@@ -128,16 +138,16 @@ export function dxfPart() {
     if (click === "axisClick" || click === "planeClick") (state.cursor = null), forgetPlaces(), load();
     else show();
   }
-  /** The tool that is called as the layer. */
+  /** The tool that is called as the layer or the file. */
   function guess() {
-    const layer = state.layer.toLowerCase(), found = layer && boundaries().touched.find(([, tool]) => layer.includes(tool.toLowerCase()) || tool.toLowerCase().includes(layer));
+    const layer = (state.layer || state.name).toLowerCase(), found = layer && boundaries().touched.find(([, tool]) => layer.includes(tool.toLowerCase()) || tool.toLowerCase().includes(layer));
     if (found) target.value = found[0];
   }
   const point = (place) => (place ? `(${shown(Math.abs(place[0]), 4)}, ${shown(place[1], 4)}) mm` : "");
   async function assign() {
-    const label = target.selectedOptions[0].text, axisOf = state.axis === "y" ? "" : state.axis;
+    const label = target.selectedOptions[0].text;
     const contour = { key: target.value, file: state.name, unit: state.unit, layer: state.layer, from: point(state.from), via: point(state.via), to: point(state.to),
-      origin: state.origin.some((x) => x) ? originText() : "", axis: axisOf, as_points: asPoints.checked };
+      origin: state.origin.some((x) => x) ? originText() : "", axis: state.axis, turn: state.turn, as_points: asPoints.checked, with_sections: state.answer.cut && sections.checked };
     if (!(await change("set", { contour }))) return;
     forgetPlaces();
     Object.assign(state, { click: "fromClick", given: label });
@@ -169,15 +179,25 @@ export function dxfPart() {
 
   const isReady = () => state.from && state.to && target.value && !model.bundled;
   const nextStep = () => state.given ? word("given", state.given) : word(!state.answer ? "dxfHint" : isReady() ? "nextGive" : `next_${state.click}`);
+  /** What a kind of drawing has: a STEP file says its unit, a solid is cut along its axis at an angle. */
+  function showKind() {
+    const { step, cut, problem } = state.answer || {}, kind = step ? "step" : "sheet";
+    unitLabel.hidden = step;
+    turnLabel.hidden = !(cut || (step && problem));
+    sectionsLabel.hidden = !cut;
+    axisName.textContent = word(`axis_${kind}`);
+    axis.replaceChildren(...axes[kind].map((one) => element("option", { value: one, selected: one === state.axis }, step && one ? one : word(`axis_${kind}_${one}`))));
+  }
   function show() {
     const answer = state.answer;
+    showKind();
     told.textContent = (answer && answer.problem) || "";
     notes.textContent = answer ? answer.notes.join(" ") : "";
     next.textContent = nextStep();
     picks.replaceChildren(...clicks.map((one) => element("button", { role: "radio", id: `dxf-${one}`, "aria-checked": String(one === state.click), onclick: () => ((state.click = one), show()) }, word(one))), element("label", { class: "tick" }, word("planeLevel"), level, "mm"), whole);
     layers.replaceChildren(...(answer ? answer.layers : []).map((layer, i) => {
       const box = element("input", { type: "checkbox", checked: !state.hidden.has(layer.name), "data-layer": layer.name, onchange: () => (state.hidden[box.checked ? "delete" : "add"](layer.name), show()) });
-      return element("label", { class: `tick layer layer${i % colours}` }, box, `${layer.name} (${layer.curves_mm.length})`);
+      return element("label", { class: `tick layer layer${i % colours}` }, box, `${layer.name || state.name} (${layer.curves_mm.length})`);
     }));
     where.textContent = [state.cursor && word("cursorAt", point(state.cursor)), word("originAt", originText()), ...Object.entries(ends).map(([click, name]) => state[name] && `${word(click)} ${point(state[name])}`)].filter((one) => one).join(", ");
     give.disabled = !isReady();
@@ -200,8 +220,8 @@ export function dxfPart() {
   }
 
   const panel = element("div", { class: "dxf-tab", ondragover: (event) => event.preventDefault(), ondrop: (event) => (event.preventDefault(), event.dataTransfer.files[0] && take(event.dataTransfer.files[0])) },
-    element("div", { class: "bar" }, input, files, element("label", { class: "tick" }, word("unit"), unit), element("label", { class: "tick" }, word("axisDirection"), axis)),
-    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give, element("label", { class: "tick" }, asPoints, word("asPoints"))), told, notes);
+    element("div", { class: "bar" }, input, files, unitLabel, axisLabel, turnLabel),
+    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give, tick(asPoints, word("asPoints")), sectionsLabel), told, notes);
   let caseName = "";
   on("case", () => {
     const chosen = target.value, { touched, others } = boundaries();

@@ -96,14 +96,9 @@ void check_curves(const CaseNode& file, const Chain& curves) {
   }
 }
 
-/// The curves of a file in its own frame.
-struct Drawing {
-  Chain curves;
-  std::vector<std::string> layers;  ///< of a DXF file, as the boundary_id of a curve counts them
-  bool is_cut = false;              ///< the section of a solid, in the frame of its axis
-};
+}  // namespace
 
-Drawing read_drawing(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
+DrawnCurves read_drawing(const CaseTable& table, const std::string& directory, std::vector<std::string>& notes) {
   const CaseNode& file = table.get("file");
   const auto path = std::filesystem::path(directory) / core::text(file);
   std::string kind = path.extension().string();
@@ -117,11 +112,11 @@ Drawing read_drawing(const CaseTable& table, const std::string& directory, std::
         core::refuse(
             *node,
             fmt::format("a {} was found, allowed only for DXF files; a STEP file has its own unit and no layers", key));
-    Drawing drawing;
+    DrawnCurves drawing;
     drawing.curves = read_step(table, path.string(), drawing.is_cut, notes);
     return drawing;
   }
-  Drawing drawing;
+  DrawnCurves drawing;
   drawing.curves = read_dxf(table, path.string(), drawing.layers, notes);
   check_curves(file, drawing.curves);
   drawing.curves = with_length(std::move(drawing.curves));
@@ -131,6 +126,8 @@ Drawing read_drawing(const CaseTable& table, const std::string& directory, std::
                              path.string()));
   return drawing;
 }
+
+namespace {
 
 /// How far apart the ends of curves may be, m.
 double gap_of(const CaseTable& table, double size) {

@@ -75,6 +75,16 @@ std::vector<core::Segment> read_dxf(const core::CaseTable& table, const std::str
 std::vector<core::Segment> read_step(const core::CaseTable& table, const std::string& path, bool& is_cut,
                                      std::vector<std::string>& notes);
 
+/// The curves of a file in its own frame.
+struct DrawnCurves {
+  Chain curves;
+  std::vector<std::string> layers;  ///< of a DXF file, as the boundary_id of a curve counts them
+  bool is_cut = false;              ///< the section of a solid, in the frame of its axis
+};
+
+/// Reads a DXF or STEP file { file, unit, layer, axis, turn }, by its ending. Refuses one without curves.
+DrawnCurves read_drawing(const core::CaseTable& table, const std::string& directory, std::vector<std::string>& notes);
+
 /// The part of a drawing that a table { file, from, via, to, unit, layer, origin, axis, turn, gap } selects. `notes`
 /// gets a sentence for what was not taken just as it was drawn.
 std::vector<core::Segment> read_section(const core::CaseNode& node, const std::string& directory,

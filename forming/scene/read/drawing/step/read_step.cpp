@@ -5,10 +5,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "core/case/given_file.hpp"
+#include "core/io/files.hpp"
 #include "core/process/child_work.hpp"
 #include "core/process/gmsh_module.hpp"
 #include "forming/scene/read/curves/curve_arcs.hpp"
@@ -195,16 +198,43 @@ std::string whole_file(const CaseNode& file, const std::string& path) {
   return content;
 }
 
+/// What the CAD kernel has found in the files that were read last: it takes a second, and the workbench reads a case
+/// again at each change.
+class FoundTexts {
+ public:
+  /// What was found by a question, or what `find` finds.
+  template <typename Find>
+  std::string found(const std::string& question, const Find& find) {
+    const std::lock_guard<std::mutex> lock(access_);
+    const auto is_same = [&](const auto& one) { return one.first == question; };
+    if (const auto known = std::find_if(texts_.begin(), texts_.end(), is_same); known != texts_.end())
+      return known->second;
+    texts_.emplace_back(question, find());
+    if (texts_.size() > most) texts_.pop_front();
+    return texts_.back().second;
+  }
+
+ private:
+  static constexpr std::size_t most = 8;  // contours and sections of the tools of a case
+  std::mutex access_;
+  std::deque<std::pair<std::string, std::string>> texts_;
+};
+
 /// What the CAD kernel finds in the file of a table { file, axis, turn }.
 std::string kernel_text(const CaseTable& table, const std::string& path, const char* function) {
+  static FoundTexts texts;
   const CaseNode &file = table.get("file"), *axis = table.find("axis"), *turn = table.find("turn");
   const std::string content = whole_file(file, path);
   const StepCut cut{axis ? core::text(*axis) : "", turn ? core::quantity(*turn, core::dimension::none) : 0};
-  std::string text = text_of_kernel(file, path, cut, function);
-  if (core::read_given_file(file, path, "a drawing") != content)  // the kernel has read it once more
-    core::refuse(file,
-                 fmt::format("\"{}\" has changed while it was read, allowed is a file that stays as it is", path));
-  return text;
+  const std::string question =
+      fmt::format("{} {} {} {} {}", function, cut.axis, cut.turn, content.size(), core::fingerprint(content));
+  return texts.found(question, [&] {
+    std::string text = text_of_kernel(file, path, cut, function);
+    if (core::read_given_file(file, path, "a drawing") != content)  // the kernel has read it once more
+      core::refuse(file,
+                   fmt::format("\"{}\" has changed while it was read, allowed is a file that stays as it is", path));
+    return text;
+  });
 }
 
 }  // namespace
