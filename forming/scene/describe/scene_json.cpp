@@ -69,6 +69,7 @@ void add_stage(const Scene& scene, std::size_t i, core::JsonWriter& json) {
   json.add("name", stage.name);
   json.add("duration_s", stage.duration);
   json.add("upright", is_upright(scene, i));
+  if (stage.timed) json.add("until", stage.timed->until_event);
   json.open_list("tools");
   for (const StageTool& tool : stage.tools) json.add("", scene.tools[static_cast<std::size_t>(tool.tool)].name);
   json.close();
@@ -91,6 +92,7 @@ void add_scene(const Scene& scene, core::JsonWriter& json) {
   add_body(scene.glass, json);
   for (const Tool& tool : scene.tools) add_body(tool, json);
   json.close();
+  if (scene.timing) json.add("cycle_s", scene.timing->cycle);
   json.open_list("stages");
   for (std::size_t i = 0; i < scene.stages.size(); ++i) add_stage(scene, i, json);
   json.close();

@@ -6,7 +6,8 @@
 namespace parison::forming {
 
 /// Adds what describe_container and describe_unusual say of a scene, and the outlines of its bodies, to the object
-/// that is open: `weight_g`, `volume_cm3`, `container`, `clearance`, `findings`, `bodies`, `stages`; lengths in mm.
+/// that is open: `weight_g`, `volume_cm3`, `container`, `clearance`, `findings`, `bodies`, `cycle_s`, `stages`; lengths
+/// in mm.
 void add_scene(const Scene& scene, core::JsonWriter& json);
 
 }  // namespace parison::forming

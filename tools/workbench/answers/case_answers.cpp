@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <optional>
 #include <regex>
 #include <set>
 
 #include "core/case/case_error.hpp"
 #include "core/case/case_file.hpp"
+#include "core/case/given_file.hpp"
 #include "core/case/text/case_edit.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
 #include "tools/workbench/handles/handles.hpp"
@@ -13,7 +16,18 @@
 namespace parison::tools {
 namespace {
 
-/// The values of a case that are no list, each with its key as override_value takes it.
+/// The size in SI of the unit of a text that is a number with a unit; nothing for other texts.
+std::optional<double> unit_size(const std::string& text) {
+  char* rest = nullptr;
+  std::strtod(text.c_str(), &rest);
+  const std::string unit(core::trimmed(rest));
+  if (rest == text.c_str() || unit.empty()) return {};
+  if (unit == "degC") return 1;
+  const auto found = core::parse_unit(unit);
+  return found ? std::optional(found->factor) : std::nullopt;
+}
+
+/// The values of a case that are no list: key as override_value takes it, text, line and size of the unit if any.
 void add_values(const core::CaseNode& node, const std::string& key, core::JsonWriter& json) {
   using Kind = core::CaseNode::Kind;
   if (node.kind == Kind::table || node.kind == Kind::list) {
@@ -30,6 +44,7 @@ void add_values(const core::CaseNode& node, const std::string& key, core::JsonWr
                : node.flag                 ? "true"
                                            : "false");
   json.add("", static_cast<long>(node.line));
+  if (const auto size = unit_size(node.text)) json.add("", *size);
   json.close();
 }
 

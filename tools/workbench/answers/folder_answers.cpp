@@ -6,6 +6,7 @@
 #include "tools/new_container/new_case.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
+#include "tools/workbench/runs/expected.hpp"
 
 namespace parison::tools {
 namespace {
@@ -72,6 +73,20 @@ void resume_run(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
 void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
   const OpenCase& one = state.open(asked.text_of("case"));
   state.sketch.start(one.file(), one.version());
+}
+
+void add_results(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  const std::string file = state.open(asked.text_of("case")).file();
+  const std::vector<std::string> names = state.runs.of_case(file);
+  add_names("results", names, json);
+  std::vector<EndedRun> known;
+  if (const std::string sketch = state.sketch.ended_of(file); !sketch.empty()) known.push_back({"sketch", sketch});
+  for (const std::string& name : names) known.push_back({name, state.folder.existing(name)});
+  std::vector<std::string> accuracies;
+  if (const Asked* all = asked.find("accuracies"))
+    for (const Asked& one : all->items) accuracies.push_back(one.text);
+  const std::lock_guard<std::mutex> lock(state.reading);
+  add_expected(file, accuracies, known, json);
 }
 
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {

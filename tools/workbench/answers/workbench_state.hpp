@@ -56,6 +56,7 @@ void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& 
 void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void resume_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void add_results(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);

@@ -10,6 +10,7 @@ import { valueFields } from "./fields.js";
 import { model, on, openCase } from "./model.js";
 import { numbersPart } from "./numbers.js";
 import { resultPart, runPart } from "./run.js";
+import { timingPart } from "./timing.js";
 import { word } from "./words.js";
 
 /** Parts of which one is shown, chosen by buttons or arrow keys. */
@@ -22,7 +23,7 @@ function tabs(parts) {
       button.tabIndex = one === name ? 0 : -1;
       panel.hidden = one !== name;
     }
-    list.closest("main")?.classList.toggle("wide", name === "drawing" || name === "result");
+    list.closest("main")?.classList.toggle("wide", ["drawing", "result", "timing"].includes(name));
   };
   const step = (event, i) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
@@ -57,7 +58,7 @@ function bundledNote() {
 
 export async function caseScreen(main, name) {
   const drawing = new Drawing();
-  const side = tabs({ values: valueFields((line) => (side.choose("text"), editor.goTo(line))), text: element("div", { class: "text-tab" }), drawing: dxfPart(),
+  const side = tabs({ values: valueFields((line) => (side.choose("text"), editor.goTo(line))), timing: timingPart(), text: element("div", { class: "text-tab" }), drawing: dxfPart(),
     run: runPart(() => side.choose("result")), result: resultPart() });
   const editor = caseEditor(side.element.querySelector(".text-tab"));
   main.className = "case";

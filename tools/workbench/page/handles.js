@@ -8,8 +8,8 @@ import { word } from "./words.js";
 const coarse = 0.1, fine = 0.01; // mm
 const rounded = (value, step) => Number((Math.round(value / step) * step).toFixed(4));
 
-/** Follows the pointer: `asked(event)` is what to set there; null where nothing changes. */
-function follow(drawing, event, asked) {
+/** Follows the pointer: `asked(event)` is what to set there; null where nothing changes. `ended` is called before the change. */
+export function followPointer(drawing, event, asked, ended = () => null) {
   event.preventDefault();
   event.stopPropagation();
   const target = drawing.svg;
@@ -24,6 +24,7 @@ function follow(drawing, event, asked) {
     target.removeEventListener("pointermove", move);
     for (const name of ["pointerup", "pointercancel"]) target.removeEventListener(name, end);
     drawing.held = false;
+    ended();
     stopPreview();
     if (last && at.type === "pointerup") change("set", last);
     else preview({});
@@ -37,7 +38,7 @@ let pressed = 0,
   pending = null;
 
 /** Keys change the number at once and write it when they rest. */
-function press(event, number, step, asked) {
+export function press(event, number, step, asked) {
   const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
   if (!by) return;
   event.preventDefault();
@@ -62,7 +63,7 @@ function present(handle) {
 }
 
 /** The name of a handle, seen where it is pointed at or has the focus. */
-const nameOf = (label, x, y, before) => drawn("text", { class: "handle-name", x, y, "text-anchor": before ? "end" : "start" }, label);
+export const nameOf = (label, x, y, before) => drawn("text", { class: "handle-name", x, y, "text-anchor": before ? "end" : "start" }, label);
 
 function dimensionHandle(drawing, handle) {
   const [x0, y0] = drawing.place(handle.r_mm, handle.z_mm), size = Math.hypot(handle.dr, handle.dz);
@@ -72,7 +73,7 @@ function dimensionHandle(drawing, handle) {
   const label = `${handle.name}: ${shown(handle.number, 4)} ${handle.unit}`;
   const begin = (event) => {
     const start = drawing.back(event);
-    follow(drawing, event, (now) => {
+    followPointer(drawing, event, (now) => {
       const place = drawing.back(now);
       const along = ((place[0] - start[0]) * handle.dr + (place[1] - start[1]) * handle.dz) / (size * size);
       const number = rounded(handle.number + along / handle.unit_mm, (now.shiftKey ? fine : coarse) / handle.unit_mm);
@@ -93,7 +94,7 @@ function cornerHandle(drawing, corner, number) {
   const label = `${corner.tool} ${number}: (${shown(corner.r_mm)}, ${shown(corner.z_mm)}) mm`;
   const begin = (event) => {
     const start = drawing.back(event);
-    follow(drawing, event, (now) => {
+    followPointer(drawing, event, (now) => {
       const place = drawing.back(now), step = now.shiftKey ? fine : coarse;
       const r = rounded(Math.max(0, corner.r_mm + place[0] - start[0]), step), z = rounded(corner.z_mm + place[1] - start[1], step);
       return Math.hypot(r - corner.r_mm, z - corner.z_mm) < step / 2 ? null : asked(r, z);

@@ -12,12 +12,9 @@ const accuracies = { "draft coarser 2": "sketchAccuracy", draft: "draft", standa
 /** Whether a run has something to look at: a what-if has it when it is through. */
 const hasResult = (run) => run.time_s || (run.study && run.state === "completed");
 
-/** The results of this case in the folder, newest first. */
-async function ownResults() {
-  const start = await ask("start"), own = model.name.replace(/\/?case\.toml$/, "").split("/").pop() || start.folder.split("/").pop();
-  const isOwn = (name) => new RegExp(`(^|/)(what_if_)?${own.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(_\\d+)?$`).test(name);
-  return start.results.filter(isOwn);
-}
+/** Seconds for people. */
+const time = (s) => (s < 100 ? `${Math.max(1, Number(s.toPrecision(2)))} s` : s < 6000 ? `${Math.round(s / 60)} min` : `${shown(s / 3600, 1)} h`);
+const span = (from, to) => (time(from) === time(to) ? time(from) : `${time(from)} … ${time(to)}`);
 
 function progress(run) {
   const longest = model.check && model.check.stages ? model.check.stages.reduce((sum, one) => sum + one.duration_s, 0) : NaN;
@@ -48,6 +45,17 @@ function changeChooser(changes) {
 
 export function runPart(openResult) {
   const select = element("select", { id: "accuracy" }, ...Object.entries(accuracies).map(([value, label]) => element("option", { value, selected: value === "draft" }, word(label))));
+  const expected = element("p", { class: "soft", id: "expected" });
+  let all = null;
+  const showExpected = () => {
+    if (!all) return;
+    for (const [i, option] of [...select.options].entries()) {
+      const one = all[i], cost = one.cpu_to_s ? `, ${word("about")} ${span(one.cpu_from_s, one.cpu_to_s)}` : "";
+      option.textContent = `${word(accuracies[option.value])}${cost}, ± ${shown(100 * one.error, 1)} %`;
+    }
+    const { by } = all[select.selectedIndex];
+    expected.textContent = word("expected", word(by === "sketch" ? "bySketch" : by ? "byRun" : by === "" ? "byBundled" : "byNothing", by));
+  };
   const state = element("div", { id: "run-state", role: "status" });
   const list = element("ul", { class: "list" });
   const act = async (question) => {
@@ -91,7 +99,9 @@ export function runPart(openResult) {
     seen = now;
   });
   const listResults = async () => {
-    const names = await ownResults().catch(() => []);
+    const { results: names, expected: told } = await ask("results", { case: model.name, accuracies: Object.keys(accuracies) }).catch(() => ({ results: [] }));
+    all = told;
+    showExpected();
     if (!model.results && names.length) follow(names[0]);
     list.replaceChildren(...names.map((name) => element("li", {}, element("button", { class: "link", onclick: () => (follow(name), news()) }, name))));
   };
@@ -103,9 +113,12 @@ export function runPart(openResult) {
     show();
     listResults();
   });
+  select.addEventListener("change", showExpected);
+  on("handles", listResults);
+  on("sketch", () => model.sketch.running || listResults());
   show();
   return element("div", { class: "run" }, element("div", { class: "bar" }, element("label", {}, element("span", {}, word("accuracy")), select), element("button", { class: "main", id: "run-start", onclick: begin }, word("startRun"))),
-    state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changeChooser(changes), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
+    expected, state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changeChooser(changes), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
     element("h3", {}, word("yourResults")), list);
 }
 

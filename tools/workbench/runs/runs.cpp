@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <thread>
 
 #include "core/case/case_error.hpp"
@@ -56,6 +57,8 @@ void Runs::begin(const std::vector<std::string>& words, const std::string& resul
 
 namespace {
 
+const std::string what_if_begin = "what_if_";
+
 /// The name of a case by its file.
 std::string name_of_case(const std::string& file) {
   const fs::path path(file);
@@ -63,6 +66,18 @@ std::string name_of_case(const std::string& file) {
 }
 
 }  // namespace
+
+std::vector<std::string> Runs::of_case(const std::string& case_file) const {
+  const std::string own = name_of_case(case_file);
+  std::vector<std::string> names;
+  for (const std::string& results : folder_.content().results) {
+    std::string name = fs::path(results).filename().string();
+    if (name.rfind(what_if_begin, 0) == 0) name.erase(0, what_if_begin.size());
+    if (name.rfind(own, 0) == 0 && std::regex_match(name.substr(own.size()), std::regex("(_[0-9]+)?")))
+      names.push_back(results);
+  }
+  return names;
+}
 
 std::string Runs::start(const std::string& case_file, const std::string& accuracy) {
   const std::string results = folder_.new_results(name_of_case(case_file));
@@ -73,7 +88,7 @@ std::string Runs::start(const std::string& case_file, const std::string& accurac
 
 std::string Runs::start_what_if(const std::string& case_file, const std::string& accuracy,
                                 const std::vector<std::string>& changes) {
-  const std::string results = folder_.new_results("what_if_" + name_of_case(case_file));
+  const std::string results = folder_.new_results(what_if_begin + name_of_case(case_file));
   std::vector<std::string> words{"what-if", case_file,  "--accuracy",
                                  accuracy,  "--output", (fs::path(folder_.path()) / results).string()};
   for (const std::string& change : changes) words.insert(words.end(), {"--set", change});

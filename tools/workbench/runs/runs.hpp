@@ -15,6 +15,8 @@ class Runs {
  public:
   explicit Runs(const OpenFolder& folder) : folder_(folder) {}
 
+  /// The names of the results of a case, newest first.
+  std::vector<std::string> of_case(const std::string& case_file) const;
   /// Starts a run and returns the name of its results. Refuses more at once than the machine has processors.
   std::string start(const std::string& case_file, const std::string& accuracy);
   /// Starts runs of a case and of changes of it, key=value, which end with a report of their differences.

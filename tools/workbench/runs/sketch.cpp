@@ -39,24 +39,33 @@ void Sketch::start(const std::string& case_file, long version) {
   end_child();
   std::error_code ignored;
   fs::remove_all(fs::path(folder_) / std::to_string(count_), ignored);
-  const std::string output = folder_ + "/" + std::to_string(++count_);
+  ++count_;
   version_ = version;
-  child_ = start_self({"run", case_file, "--accuracy", "draft coarser 2", "--output", output, "--set",
+  case_file_ = case_file;
+  child_ = start_self({"run", case_file, "--accuracy", "draft coarser 2", "--output", output(), "--set",
                        "output.interval=\"1 h\"", "--later-counts", "--keep-going"},
-                      output + ".log");
+                      output() + ".log");
+}
+
+std::string Sketch::output() const {
+  return folder_ + "/" + std::to_string(count_);
+}
+
+std::string Sketch::ended_of(const std::string& case_file) {
+  if (child_ != 0 && has_ended(child_)) child_ = 0;
+  return child_ == 0 && case_file == case_file_ ? output() : "";
 }
 
 void Sketch::add_state(core::JsonWriter& json) {
   if (child_ != 0 && has_ended(child_)) child_ = 0;
-  const std::string output = folder_ + "/" + std::to_string(count_);
   json.add("version", version_);
   json.add("running", child_ != 0);
   if (child_ != 0 || count_ == 0) return;
-  const auto summary = core::read_json_file(output + "/summary.json");
+  const auto summary = core::read_json_file(output() + "/summary.json");
   if (summary && summary->flag_of("completed")) {
-    add_finished_wall(output, json);
+    add_finished_wall(output(), json);
   } else {
-    const std::string log = fs::exists(output + ".log") ? core::read_text(output + ".log") : "";
+    const std::string log = fs::exists(output() + ".log") ? core::read_text(output() + ".log") : "";
     const auto at = log.find("parison: ");
     json.add("problem", summary ? summary->text_of("reason") : at == log.npos ? log : log.substr(at + 9));
   }

@@ -15,13 +15,17 @@ class Sketch {
 
   /// Begins one in place of that which may go on.
   void start(const std::string& case_file, long version);
+  /// The folder of the last one, where it is of a case and has ended; else empty.
+  std::string ended_of(const std::string& case_file);
   /// The version that is sketched, whether that goes on, the outline of its glass and its wall, or why there is none.
   void add_state(core::JsonWriter& json);
 
  private:
   void end_child();
 
-  std::string folder_;
+  std::string output() const;
+
+  std::string folder_, case_file_;
   int child_ = 0, count_ = 0;
   long version_ = 0;
 };
