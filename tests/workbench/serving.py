@@ -2,6 +2,7 @@
 """`parison workbench` as a process, and what its server answers."""
 import http.client
 import json
+import os
 import re
 import signal
 import subprocess
@@ -19,7 +20,8 @@ def until(is_so, seconds=60):
 class Workbench:
     def __init__(self, parison, folder):
         words = [parison, "workbench", str(folder), "--no-browser", "--port", "18180"]
-        self.process = subprocess.Popen(words, stdout=subprocess.PIPE, text=True)
+        state = os.path.join(os.path.dirname(os.path.abspath(str(folder))), "state")  # not that of who runs the tests
+        self.process = subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env={**os.environ, "XDG_STATE_HOME": state})
         self.address = re.search(r"http://\S+", self.process.stdout.readline())[0]
         self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([0-9a-f]{32})/", self.address).groups()
 

@@ -12,6 +12,7 @@
 #include "tools/program/child_process.hpp"
 #include "tools/server/page_server.hpp"
 #include "tools/workbench/answers/page_answers.hpp"
+#include "tools/workbench/folder/recent_folders.hpp"
 
 namespace parison::tools {
 
@@ -38,6 +39,7 @@ int workbench(const WorkbenchRequest& request) {
   service.takes_long = takes_long;
   std::thread warm([&] { first_check(state); });
   serve(service, request.port, [&](const std::string& address) {
+    remember_folder(state.folder.path());
     fmt::print("{} at {} on this machine only, until Ctrl-C\n", state.folder.path(), address);
     std::fflush(stdout);
     if (!request.no_browser) open_in_browser(address);

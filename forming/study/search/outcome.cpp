@@ -58,12 +58,13 @@ WallTable read_wall_table(const std::string& path, std::optional<double> angle) 
   const core::CsvTable csv = core::read_csv(path);
   const int thickness_at = column(csv, {"thickness_mm"}), arc = column(csv, {"arc_mm"}),
             height = column(csv, {"z_mm", "z_outer_mm"}), radius = column(csv, {"r_mm", "r_outer_mm"}),
-            place = arc >= 0 ? arc : height, plane = angle ? csv.find("angle_deg") : -1;
+            tolerance = column(csv, {"tolerance_mm"}), place = arc >= 0 ? arc : height,
+            plane = angle ? csv.find("angle_deg") : -1;
   if (thickness_at < 0 || place < 0)
     throw core::CaseError(
         fmt::format("{}:1: the heading \"{}\" was found, allowed is one with thickness_mm, and arc_mm or z_mm", path,
                     csv.heading_line));
-  WallTable table{arc >= 0, {}, {}, {}, {}, 0};
+  WallTable table{arc >= 0, {}, {}, {}, {}, {}, 0};
   for (const core::CsvTable::Row& row : csv.rows) {
     const auto cell = [&](int i) { return i >= 0 ? csv.number(row, i) : core::none; };
     constexpr double printed = 1e-3;  // deg, to which tables give it
@@ -80,6 +81,7 @@ WallTable read_wall_table(const std::string& path, std::optional<double> angle) 
     table.thickness.push_back(thickness);
     table.radius.push_back(cell(radius));
     table.height.push_back(cell(height));
+    table.tolerance.push_back(cell(tolerance));
   }
   if (table.at.size() < 2)
     throw core::CaseError(

@@ -52,11 +52,12 @@ std::vector<Quantity> known_quantities(const Scene& scene);
 
 /// The wall of a table with the columns thickness_mm and arc_mm, or without the latter z_mm (z_outer_mm), at its rows
 /// that have a thickness; of those of one plane through the axis where an angle is given, in degrees as in angle_deg.
-/// Such a table is thickness.csv of a run, in space meridians.csv.
+/// Such a table is thickness.csv of a run, in space meridians.csv; one that is wanted may have a column tolerance_mm.
 struct WallTable {
   bool over_arc;
   std::vector<double> at, thickness;   ///< mm
   std::vector<double> radius, height;  ///< where the table has them
+  std::vector<double> tolerance;       ///< to both sides; not a number without it
   double arc_end = 0;                  ///< of the last row, wall or not, mm
 };
 WallTable read_wall_table(const std::string& path, std::optional<double> angle = {});

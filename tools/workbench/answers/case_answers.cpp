@@ -149,7 +149,7 @@ void add_news(WorkbenchState& state, const Asked& asked, core::JsonWriter& json)
   }
   if (!asked.flag_of("sketch")) return;
   json.open_object("sketch");
-  state.sketch.add_state(json);
+  state.sketch.add_state(wanted_wall_of(state, asked), json);
   json.close();
 }
 

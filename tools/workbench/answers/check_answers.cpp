@@ -23,7 +23,7 @@ std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked)
     return given_contour(
         one.file(), text("key"),
         {text("file"), text("unit"), text("layer"), text("from"), text("via"), text("to"), text("origin"), text("axis"),
-         text("turn"), contour->flag_of("as_points"), contour->flag_of("with_sections")});
+         text("turn"), text("thickness"), contour->flag_of("as_points"), contour->flag_of("with_sections")});
   }
   return assignments;
 }

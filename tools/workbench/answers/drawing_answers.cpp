@@ -12,6 +12,7 @@
 #include "core/io/files.hpp"
 #include "forming/scene/read/drawing/placement.hpp"
 #include "forming/scene/read/drawing/read_section.hpp"
+#include "forming/study/search/outcome.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
 
 namespace parison::tools {
@@ -21,9 +22,10 @@ namespace fs = std::filesystem;
 
 constexpr double mm = 1e-3;
 
-/// The ending of a drawing's name in small letters, "dxf", "step" or "stp"; empty where it is no name of one.
+/// The ending of the name of a drawing or a table in small letters, "dxf", "step", "stp" or "csv"; empty where it is no
+/// such name.
 std::string kind_of(const std::string& name) {
-  static const std::regex allowed("[A-Za-z0-9_][A-Za-z0-9_. -]{0,100}\\.(dxf|step|stp)", std::regex::icase);
+  static const std::regex allowed("[A-Za-z0-9_][A-Za-z0-9_. -]{0,100}\\.(dxf|step|stp|csv)", std::regex::icase);
   std::smatch match;
   if (!std::regex_match(name, match, allowed)) return "";
   std::string kind = match[1];
@@ -44,11 +46,23 @@ std::string bytes_of(const std::string& text) {
   return bytes;
 }
 
-/// Puts a drawing beside the case; one that is there already must be the same.
+/// Puts a file beside the case; one that is there already must be the same.
 void keep(const std::string& path, const std::string& content) {
   if (!fs::exists(fs::symlink_status(path))) return write_users_file(path, content);
   if (!fs::is_regular_file(fs::symlink_status(path)) || core::read_text(path) != content)
-    throw core::CaseError(fmt::format("{}: is there already and is another drawing, allowed is another name", path));
+    throw core::CaseError(fmt::format("{}: is there already and is another file, allowed is another name", path));
+}
+
+/// The path of a file beside the case, which gets the text that was sent with its name.
+std::string file_beside(WorkbenchState& state, const std::string& name, const Asked& asked) {
+  const std::string case_name = asked.text_of("case");
+  const fs::path path = fs::path(state.open(case_name).file()).parent_path() / name;
+  if (const std::string text = asked.text_of("text"); !text.empty()) {
+    if (is_bundled(case_name)) throw core::CaseError("a bundled case gets no files, allowed is a copy of it");
+    keep(path.string(), bytes_of(text));
+  }
+  if (!is_bundled(case_name)) state.folder.existing(path.lexically_relative(state.folder.path()).string());
+  return path.string();
 }
 
 /// The table of a path with what is known of the drawing so far.
@@ -93,32 +107,44 @@ void add_layers(const forming::DrawnCurves& drawing, core::JsonWriter& json) {
 void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
   const fs::path folder = fs::path(state.open(asked.text_of("case")).file()).parent_path();
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (!kind_of(entry.path().filename().string()).empty()) names.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  json.open_list("drawings");
-  for (const std::string& name : names) json.add("", name);
-  json.close();
+  for (const bool tables : {false, true}) {
+    json.open_list(tables ? "tables" : "drawings");
+    for (const std::string& name : names)
+      if (const std::string kind = kind_of(name); !kind.empty() && (kind == "csv") == tables) json.add("", name);
+    json.close();
+  }
+}
+
+std::string wanted_wall_of(WorkbenchState& state, const Asked& asked) {
+  const std::string name = asked.text_of("wanted");
+  if (name.empty()) return "";
+  if (kind_of(name) != "csv")
+    throw core::CaseError(
+        fmt::format("\"{}\" was found, allowed are names of letters, digits, _, - and . that end "
+                    "with .csv",
+                    name));
+  return file_beside(state, name, asked);
+}
+
+void take_wanted_wall(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
+  forming::read_wall_table(wanted_wall_of(state, asked));
 }
 
 void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
-  const std::string name = asked.text_of("name"), case_name = asked.text_of("case"), kind = kind_of(name);
-  if (kind.empty())
+  const std::string name = asked.text_of("name"), kind = kind_of(name);
+  if (kind.empty() || kind == "csv")
     throw core::CaseError(fmt::format(
         "\"{}\" was found, allowed are names of letters, digits, _, - and . that end with .dxf, .step or .stp", name));
-  const fs::path folder = fs::path(state.open(case_name).file()).parent_path(), path = folder / name;
-  if (const std::string text = asked.text_of("text"); !text.empty()) {
-    if (is_bundled(case_name)) throw core::CaseError("a bundled case gets no drawings, allowed is a copy of it");
-    keep(path.string(), bytes_of(text));
-  }
-  if (!is_bundled(case_name)) state.folder.existing(path.lexically_relative(state.folder.path()).string());
+  const std::string folder = fs::path(file_beside(state, name, asked)).parent_path().string();
   const core::CaseNode node = table_of(name, asked);
   const core::CaseTable table(node, {"file", "from", "to", "unit", "layer", "origin", "axis", "turn"});
   std::vector<std::string> notes;
   forming::DrawnCurves drawing;
   const std::lock_guard<std::mutex> lock(state.reading);
   try {
-    drawing = forming::read_drawing(table, folder.string(), notes);
+    drawing = forming::read_drawing(table, folder, notes);
     forming::place(table, drawing.is_cut, drawing.curves);
   } catch (const core::CaseError& error) {
     drawing = {};

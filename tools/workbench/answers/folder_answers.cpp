@@ -6,6 +6,7 @@
 #include "tools/new_container/new_case.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
+#include "tools/workbench/folder/recent_folders.hpp"
 #include "tools/workbench/runs/expected.hpp"
 
 namespace parison::tools {
@@ -35,6 +36,11 @@ void add_start(WorkbenchState& state, const Asked&, core::JsonWriter& json) {
   const FolderContent content = state.folder.content();
   add_names("cases", content.cases, json);
   add_names("results", content.results, json);
+  add_names("recent", recent_folders(), json);
+}
+
+void open_recent(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  json.add("address", state.address_of(asked.text_of("folder")));
 }
 
 void make_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
@@ -90,7 +96,7 @@ void add_results(WorkbenchState& state, const Asked& asked, core::JsonWriter& js
 }
 
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
-  add_finished_wall(state.folder.existing(asked.text_of("results")), json);
+  add_finished_wall(state.folder.existing(asked.text_of("results")), wanted_wall_of(state, asked), json);
 }
 
 }  // namespace parison::tools

@@ -30,6 +30,9 @@ class WorkbenchState {
   /// The live report of results.
   WatchedFolder& watched(const std::string& results);
 
+  /// The address of a workbench of its own for one of the recent folders, which ends with this one.
+  std::string address_of(const std::string& recent);
+
   OpenFolder folder;
   Runs runs;
   Sketch sketch;
@@ -38,6 +41,8 @@ class WorkbenchState {
  private:
   std::map<std::string, std::unique_ptr<OpenCase>> cases_;       ///< by their file
   std::map<std::string, std::unique_ptr<WatchedFolder>> shown_;  ///< by their folder; of the slow thread
+  std::map<std::string, std::pair<int, std::string>>
+      neighbours_;  ///< other workbenches and their logs, by their folder
 };
 
 /// The answers to one kind of question; each adds to the object that is open.
@@ -50,6 +55,7 @@ void undo_change(WorkbenchState& state, const Asked& asked, core::JsonWriter& js
 void redo_change(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_check(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_handles(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void open_recent(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void make_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
@@ -59,11 +65,15 @@ void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter& j
 void add_results(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_drawings(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_drawing(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void take_wanted_wall(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 
 /// The values that are to be set, as override_value takes them: given as such, by a corner and its new place, or by the
 /// contour of a drawing. The lock is held.
 std::vector<std::string> assignments_of(const OpenCase& one, const Asked& asked);
+
+/// The table of the wanted wall beside a case, `wanted`; empty where none is asked for.
+std::string wanted_wall_of(WorkbenchState& state, const Asked& asked);
 
 /// Adds an error with the place in the text that it is about.
 void add_error(const core::CaseError& error, const std::string& text, core::JsonWriter& json);

@@ -176,14 +176,25 @@ std::vector<std::string> walls(const Target& target, const DrawnContour& drawn) 
   const double sense = core::signed_area(target.profile) * (before.back().end[1] - before.front().start[1]);
   const Contour was{before, sense > 0}, is{read(target, drawn), sense > 0};
   const std::size_t count = target.boundaries().size() - 1;
-  if (target.boundary != 0 || sense == 0 || !differ(was, is)) return {};
-  const auto behind = walls_behind(is, thickness_behind(was, target.segments(false)), count);
-  if (!behind) return {};
+  const bool asked = !drawn.thickness.empty();
+  const double thickness =
+      asked ? core::positive(node_of(core::quoted(drawn.thickness)), core::dimension::length) : NAN;
+  const auto none = [&]() -> std::vector<std::string> {
+    if (asked)
+      throw core::CaseError(fmt::format(
+          "no wall of {} can be made behind this contour and the {} other boundaries of the tool, allowed is none",
+          drawn.thickness, count));
+    return {};
+  };
+  if (target.boundary != 0 || sense == 0) return none();
+  if (!asked && !differ(was, is)) return {};
+  const auto behind = walls_behind(is, asked ? thickness : thickness_behind(was, target.segments(false)), count);
+  if (!behind) return none();
   const double end = is.end()[0];
   std::vector<std::string> assignments;
   for (std::size_t i = 1; i <= count; ++i) {
     const bool on_axis = std::abs(end) < same ? i == 1 : std::abs(is.begin()[0]) < same && i == count;
-    if ((target.condition(i) == "symmetry") != on_axis) return {};
+    if ((target.condition(i) == "symmetry") != on_axis) return none();
     std::string path;
     for (const Point& x : (*behind)[i - 1]) path += point_text(x) + " ";
     assignments.push_back(fmt::format("{}.boundary.{}.path={}", target.tool_key, i, core::quoted(path + "mm")));

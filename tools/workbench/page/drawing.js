@@ -4,6 +4,7 @@
 import { drawn, element, shown } from "./dom.js";
 import { cornerHandles, dimensionHandles } from "./handles.js";
 import { model, on, sketch, tell } from "./model.js";
+import { wallChart, wantedWall } from "./wall.js";
 import { word } from "./words.js";
 
 const pairs = (flat) => flat.reduce((all, x, i) => (i % 2 ? (all[all.length - 1].push(x), all) : (all.push([x]), all)), []);
@@ -28,7 +29,7 @@ export class Drawing {
     this.reading = element("span", { class: "soft reading" });
     this.sketchLine = element("span", { class: "soft sketch-line", role: "status" });
     this.element = element("section", { class: "drawing" }, element("div", { class: "bar" }, this.stages, ...this.controls()), this.svg,
-      element("div", { class: "bar" }, this.sketchControls(), this.sketchLine, this.reading));
+      element("div", { class: "bar" }, this.sketchControls(), wantedWall(), this.sketchLine, this.reading));
     this.svg.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.svg.addEventListener("pointerdown", (event) => this.grip(event));
     this.svg.addEventListener("pointermove", (event) => this.point(event));
@@ -79,7 +80,7 @@ export class Drawing {
     this.showStages();
     this.svg.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
     const focused = document.activeElement && this.svg.contains(document.activeElement) ? document.activeElement.getAttribute("aria-label").split(":")[0] : "";
-    this.svg.replaceChildren(...this.bodies(), ...this.sketchShapes(), this.axis(), ...this.clearances(), ...this.handles());
+    this.svg.replaceChildren(...this.bodies(), ...this.sketchShapes(), this.axis(), ...this.clearances(), ...(this.isLast() ? wallChart(this) : []), ...this.handles());
     if (focused) [...this.svg.querySelectorAll("[tabindex]")].find((one) => one.getAttribute("aria-label").split(":")[0] === focused)?.focus({ preventScroll: true });
   }
 
@@ -109,9 +110,13 @@ export class Drawing {
     return shapes;
   }
 
+  isLast() {
+    return this.stage === this.last.stages.length - 1;
+  }
+
   sketchShapes() {
     const outlines = model.sketch && model.sketch.outlines_mm;
-    if (!outlines || this.stage < this.last.stages.length - 1) return [];
+    if (!outlines || !this.isLast()) return [];
     const old = model.sketch.running || model.sketch.version !== model.version;
     return outlines.map((line) => drawn("path", { class: old ? "wall old" : "wall", d: this.path(pairs(line), 0, false) }));
   }
@@ -145,7 +150,10 @@ export class Drawing {
     let text = "";
     if (now && now.running) text = word("sketchRuns");
     else if (now && now.problem) text = word("sketchFailed", now.problem);
-    else if (now && now.outlines_mm) text = now.version === model.version ? word("sketchThere", shown(now.thickness_min_mm), shown(now.thickness_mean_mm)) : word("sketchOld");
+    else if (now && now.outlines_mm && now.version !== model.version) text = now.results ? word("resultOld", now.results) : word("sketchOld");
+    else if (now && now.outlines_mm) text = word(now.results ? "resultThere" : "sketchThere", shown(now.thickness_min_mm), shown(now.thickness_mean_mm), now.results);
+    if (now && now.wanted_problem) text = now.wanted_problem;
+    else if (now && now.outside >= 0 && !now.running) text += `; ${now.outside ? word("outsideBand", shown(100 * now.outside, 0), shown(Math.abs(now.worst_mm)), word(now.worst_mm > 0 ? "tooThick" : "tooThin"), shown(now.worst_z_mm, 0)) : word("insideBand")}`;
     this.sketchLine.textContent = text;
     if (now && now.outlines_mm && !now.running && now !== this.seen && this.last) {
       this.seen = now;

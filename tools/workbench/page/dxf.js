@@ -29,6 +29,7 @@ export function dxfPart() {
   const axis = element("select", { id: "dxf-axis", onchange: () => ((state.axis = axis.value), forgetPlaces(), load()) });
   const turn = element("input", { id: "dxf-turn", type: "number", step: "any", onchange: () => ((state.turn = turn.value && `${turn.value} deg`), forgetPlaces(), load()) });
   const target = element("select", { id: "dxf-target", "aria-label": word("tool"), onchange: () => show() });
+  const thickness = element("input", { type: "number", step: "any", min: 0, id: "dxf-thickness" });
   const level = element("input", { type: "number", step: "any", value: 0, id: "dxf-level" });
   const layers = element("div", { class: "bar", id: "dxf-layers" });
   const picks = element("div", { class: "bar", role: "radiogroup" });
@@ -147,7 +148,7 @@ export function dxfPart() {
   async function assign() {
     const label = target.selectedOptions[0].text;
     const contour = { key: target.value, file: state.name, unit: state.unit, layer: state.layer, from: point(state.from), via: point(state.via), to: point(state.to),
-      origin: state.origin.some((x) => x) ? originText() : "", axis: state.axis, turn: state.turn, as_points: asPoints.checked, with_sections: state.answer.cut && sections.checked };
+      origin: state.origin.some((x) => x) ? originText() : "", axis: state.axis, turn: state.turn, thickness: thickness.value && `${thickness.value} mm`, as_points: asPoints.checked, with_sections: state.answer.cut && sections.checked };
     if (!(await change("set", { contour }))) return;
     forgetPlaces();
     Object.assign(state, { click: "fromClick", given: label });
@@ -221,7 +222,7 @@ export function dxfPart() {
 
   const panel = element("div", { class: "dxf-tab", ondragover: (event) => event.preventDefault(), ondrop: (event) => (event.preventDefault(), event.dataTransfer.files[0] && take(event.dataTransfer.files[0])) },
     element("div", { class: "bar" }, input, files, unitLabel, axisLabel, turnLabel),
-    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give, tick(asPoints, word("asPoints")), sectionsLabel), told, notes);
+    layers, picks, next, svg, where, element("div", { class: "bar" }, target, give, tick(word("thicknessOfWall"), thickness, "mm"), tick(asPoints, word("asPoints")), sectionsLabel), told, notes);
   let caseName = "";
   on("case", () => {
     const chosen = target.value, { touched, others } = boundaries();

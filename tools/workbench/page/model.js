@@ -38,7 +38,7 @@ export function takeCase(answer) {
 }
 
 export async function openCase(name) {
-  Object.assign(model, { check: null, handles: null, sketch: null, wantsSketch: false });
+  Object.assign(model, { check: null, handles: null, sketch: null, wantsSketch: false, wanted: "" });
   takeCase(await ask("case", { case: name }));
 }
 
@@ -113,6 +113,20 @@ export async function sketch() {
   tell("sketch");
 }
 
+/** Draws the wall of a finished run into the section. */
+export async function showResult(results) {
+  model.sketch = { ...(await ask("outline", { results, case: model.name, wanted: model.wanted })), results, version: model.version };
+  tell("sketch");
+}
+
+/** Compares the wall that is drawn with a table beside the case. */
+export async function wantWall(name) {
+  model.wanted = name;
+  if (model.sketch && model.sketch.results) return showResult(model.sketch.results);
+  model.wantsSketch = Boolean(model.sketch);
+  return news();
+}
+
 /** Asks what is new: text, run, sketch. */
 export async function news() {
   if (!model.name) return;
@@ -121,6 +135,7 @@ export async function news() {
     version: model.version,
     results: model.results || "",
     sketch: Boolean(model.wantsSketch),
+    wanted: model.wanted || "",
   });
   if (answer.case === model.name && answer.version !== model.version) takeCase(answer);
   if (answer.run) {

@@ -4,7 +4,7 @@
 import { ask, tryAsk } from "./api.js";
 import { element, say, shown } from "./dom.js";
 import { groups } from "./fields.js";
-import { model, news, on, tell } from "./model.js";
+import { model, news, on, showResult, tell } from "./model.js";
 import { word } from "./words.js";
 
 const accuracies = { "draft coarser 2": "sketchAccuracy", draft: "draft", standard: "standard", fine: "fine" };
@@ -87,7 +87,8 @@ export function runPart(openResult) {
     const resumable = !run.ours && ["stopped", "ended", "failed"].includes(run.state) && run.time_s > 0;
     state.replaceChildren(...[element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
       element("div", { class: "bar" }, run.ours ? button("stopRun", "stop") : null, resumable ? button("resumeRun", "resume", true) : null,
-        hasResult(run) ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null),
+        hasResult(run) ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null,
+        run.state === "completed" && !run.study ? element("button", { id: "run-draw", onclick: () => showResult(model.results).catch((error) => say(error.message)) }, word("drawResult")) : null),
       run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null].filter((one) => one));
   };
   let seen = "",

@@ -85,8 +85,14 @@ function resultLine(name) {
   return element("li", {}, element("a", { href: `result/${encodeURIComponent(name)}/`, target: "_blank", rel: "noopener" }, picture, name));
 }
 
+/** Another folder has a workbench of its own. */
+async function openFolder(folder) {
+  const answer = await tryAsk("open", { folder });
+  if (answer) location.href = answer.address;
+}
+
 export async function startScreen(main) {
-  const start = await ask("start");
+  const start = await ask("start"), others = start.recent.filter((folder) => folder !== start.folder);
   const list = (items, line) => (items.length ? element("ul", { class: "list" }, ...items.map(line)) : element("p", { class: "soft" }, word("none")));
   main.className = "start";
   main.replaceChildren(
@@ -94,7 +100,8 @@ export async function startScreen(main) {
     element("section", { id: "folder" },
       element("h2", {}, word("yourCases")), element("p", { class: "soft" }, start.folder),
       list(start.cases, (name) => element("li", {}, element("a", { href: `#case=${encodeURIComponent(name)}` }, name))),
-      element("h2", {}, word("yourResults")), list(start.results.slice(0, 30), resultLine)),
+      element("h2", {}, word("yourResults")), list(start.results.slice(0, 30), resultLine),
+      ...(others.length ? [element("h2", {}, word("recentFolders")), list(others, (folder) => element("li", {}, element("button", { class: "link", onclick: () => openFolder(folder) }, folder)))] : [])),
     element("section", { id: "bundled" }, element("h2", {}, word("bundled")),
       element("div", { class: "cards" }, ...start.bundled.map((one) => bundledCard(one, start.cases)))),
   );

@@ -12,6 +12,7 @@
 #include "tools/program/child_process.hpp"
 #include "tools/report/data/result_folder.hpp"
 #include "tools/workbench/folder/left_files.hpp"
+#include "tools/workbench/runs/wall_band.hpp"
 
 namespace parison::tools {
 namespace {
@@ -56,14 +57,14 @@ std::string Sketch::ended_of(const std::string& case_file) {
   return child_ == 0 && case_file == case_file_ ? output() : "";
 }
 
-void Sketch::add_state(core::JsonWriter& json) {
+void Sketch::add_state(const std::string& wanted_file, core::JsonWriter& json) {
   if (child_ != 0 && has_ended(child_)) child_ = 0;
   json.add("version", version_);
   json.add("running", child_ != 0);
   if (child_ != 0 || count_ == 0) return;
   const auto summary = core::read_json_file(output() + "/summary.json");
   if (summary && summary->flag_of("completed")) {
-    add_finished_wall(output(), json);
+    add_finished_wall(output(), wanted_file, json);
   } else {
     const std::string log = fs::exists(output() + ".log") ? core::read_text(output() + ".log") : "";
     const auto at = log.find("parison: ");
@@ -71,7 +72,7 @@ void Sketch::add_state(core::JsonWriter& json) {
   }
 }
 
-void add_finished_wall(const std::string& folder, core::JsonWriter& json) {
+void add_finished_wall(const std::string& folder, const std::string& wanted_file, core::JsonWriter& json) {
   const ResultTable contour = read_table(folder + "/contour.csv");
   const auto *loop = contour.column("loop"), *r = contour.column("r_mm"), *z = contour.column("z_mm");
   if (!loop || !r || !z) return;
@@ -91,6 +92,7 @@ void add_finished_wall(const std::string& folder, core::JsonWriter& json) {
   for (const char* name : {"thickness_min", "thickness_mean"})
     if (const auto* one = quantities ? quantities->find(name) : nullptr)
       json.add(std::string(name) + "_mm", one->number_of("value"));
+  add_wall_band(folder, wanted_file, json);
 }
 
 }  // namespace parison::tools

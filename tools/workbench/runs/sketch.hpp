@@ -18,7 +18,8 @@ class Sketch {
   /// The folder of the last one, where it is of a case and has ended; else empty.
   std::string ended_of(const std::string& case_file);
   /// The version that is sketched, whether that goes on, the outline of its glass and its wall, or why there is none.
-  void add_state(core::JsonWriter& json);
+  /// `wanted_file`: a table of the wanted wall, or empty.
+  void add_state(const std::string& wanted_file, core::JsonWriter& json);
 
  private:
   void end_child();
@@ -30,7 +31,8 @@ class Sketch {
   long version_ = 0;
 };
 
-/// Adds the outline of the finished glass, mm, and its wall from the files of a result folder; nothing without them.
-void add_finished_wall(const std::string& folder, core::JsonWriter& json);
+/// Adds the outline of the finished glass, mm, and its wall from the files of a result folder, beside a wanted one
+/// (add_wall_band); nothing without them.
+void add_finished_wall(const std::string& folder, const std::string& wanted_file, core::JsonWriter& json);
 
 }  // namespace parison::tools
