@@ -16,11 +16,10 @@ namespace parison::tools {
 namespace {
 
 /// CPU time of a run at an accuracy over that at draft. Bundled cases took 2.8 to 4.8 times as long at each level more,
-/// and 6 to 8 times as long as with edges and steps twice as long.
+/// and 3.5 to 3.8 times as long as with edges and steps twice as long, which counts as a level.
 double cost_over_draft(const std::string& accuracy) {
-  constexpr double of_a_level = 4, coarsening_order = 2.7;
-  const forming::AccuracyChoice choice = forming::read_accuracy(accuracy);
-  return std::pow(of_a_level, choice.level) * std::pow(choice.coarsening_factor, -coarsening_order);
+  constexpr double of_a_level = 4;
+  return std::pow(of_a_level, forming::read_accuracy(accuracy).effective_level());
 }
 
 /// What a run has cost, as that of one at draft, s; from the least to the most of several.
