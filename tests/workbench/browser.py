@@ -62,8 +62,13 @@ class Page:
         return self.script("return [...document.querySelectorAll(arguments[0])].map((one) => one.innerText).join('\\n')", selector)
 
     def drag(self, selector, right, down):
-        ActionChains(self.driver).move_to_element(self.find(selector)).click_and_hold().move_by_offset(right // 2, down // 2).move_by_offset(
-            right - right // 2, down - down // 2).release().perform()
+        """As click: one that the page draws anew before it is pressed is looked for again."""
+        for _ in range(20):
+            try:
+                return ActionChains(self.driver).move_to_element(self.find(selector)).click_and_hold().move_by_offset(right // 2, down // 2).move_by_offset(
+                    right - right // 2, down - down // 2).release().perform()
+            except StaleElementReferenceException:
+                time.sleep(0.05)
 
     def choose(self, selector, value):
         """The option of a list with a value, as a user chooses it."""
