@@ -16,7 +16,7 @@ namespace parison::tools {
 namespace {
 
 /// CPU time of a run at an accuracy over that at draft. Bundled cases took 2.8 to 4.8 times as long at each level more,
-/// and 3.5 to 3.8 times as long as with edges and steps twice as long, which counts as a level.
+/// and 2.9 to 3.8 times as long as with edges and steps twice as long, which counts as a level.
 double cost_over_draft(const std::string& accuracy) {
   constexpr double of_a_level = 4;
   return std::pow(of_a_level, forming::read_accuracy(accuracy).effective_level());
