@@ -11,6 +11,7 @@
 #include "forming/run/fast_glass.hpp"
 #include "forming/run/room_in_tool.hpp"
 #include "forming/solid/hand_over.hpp"
+#include "forming/solid/solid_end.hpp"
 #include "forming/solid/solid_step.hpp"
 #include "forming/solid/straighten.hpp"
 #include "forming/step/step_control.hpp"
@@ -102,6 +103,27 @@ void follow_extremes(const Scene& scene, const State& clock, const SolidState& s
   if (flags.glass_below && temperature < *flags.glass_below) extremes.glass.add_beyond(clock.time, solid.last_step);
 }
 
+/// Tries a step of length dt, s, and shorter ones up to where a condition ends the stage; `dt` is then that of the last.
+SolidStepOutcome step_up_to_end(RunInProgress& run, double& dt, SolidState& solid, SolidWorkspace& workspace) {
+  const Scene& scene = run.scene;
+  const State& clock = run.outcome.state;
+  const Stage& stage = scene.stages[clock.stage];
+  if (stage.ends.empty()) return step_solid(scene, clock, dt, solid, workspace);
+  constexpr int most_repeats = 4;
+  SolidState before = solid;
+  for (int repeats = 0;; ++repeats) {
+    SolidStepOutcome outcome = step_solid(scene, clock, dt, solid, workspace);
+    if (!outcome.accepted || repeats == most_repeats) return outcome;
+    const double share = share_until_end(stage, end_measure(scene, clock, clock.stage_time, before),
+                                         end_measure(scene, clock, clock.stage_time + dt, solid));
+    const double until = shortened_to_end(dt, (1 - share) * dt, solid.next_step);
+    if (until == dt) return outcome;
+    dt = until;
+    ++before.totals.rejected;
+    solid = before;
+  }
+}
+
 /// A step that is accepted; false when the shortest is not, and the facts say why.
 bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   State& clock = run.outcome.state;
@@ -109,7 +131,7 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
   double dt = clipped(run.scene, clock, solid.next_step);
   bool rejected = false;
   for (;;) {
-    const SolidStepOutcome outcome = step_solid(run.scene, clock, dt, solid, workspace);
+    const SolidStepOutcome outcome = step_up_to_end(run, dt, solid, workspace);
     if (outcome.accepted) break;
     ++solid.totals.rejected;
     constexpr StraightenLimits before_shorter{0.3, 0.4};
@@ -149,10 +171,15 @@ bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   return !ends_by(run, cannot_begin(run, solid));
 }
 
+StageEnd present_end(const RunInProgress& run, const SolidState& solid) {
+  const State& clock = run.outcome.state;
+  return stage_end(run.scene, clock, end_measure(run.scene, clock, clock.stage_time, solid));
+}
+
 bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   const State& clock = run.outcome.state;
   workspace.heat = {};
-  while (longest_stage_time(run.scene, clock) - clock.stage_time > same_time) {
+  while (present_end(run, solid) == StageEnd::none) {
     const double before = clock.time;
     if (!step_once(run, solid, workspace)) return false;
     if (ends_by(run, outgrown(run, solid))) return false;
@@ -168,9 +195,9 @@ bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& worksp
   return true;
 }
 
-void record_stage(RunInProgress& run, bool good) {
+void record_stage(RunInProgress& run, const SolidState& solid, bool good) {
   const State& clock = run.outcome.state;
-  const char* reason = run.outcome.facts.stopped ? "stop" : good ? name_of(StageEnd::duration) : "failure";
+  const char* reason = run.outcome.facts.stopped ? "stop" : good ? name_of(present_end(run, solid)) : "failure";
   run.outcome.facts.stages.push_back({run.scene.stages[clock.stage].name, clock.stage_start, clock.time, reason});
 }
 
@@ -194,7 +221,7 @@ bool run_solid_stages(RunInProgress& run) {
     good = good && advance_stage(run, solid, workspace);
     if (!run.outcome.facts.stopped) offer_checkpoint(run, true);
     notify(run, &RunObserver::solid_fields_due, solid);
-    record_stage(run, good);
+    record_stage(run, solid, good);
     notify(run, &RunObserver::stage_ends);
     const Index next = clock.stage + 1;
     if (!good || next == static_cast<Index>(run.scene.stages.size())) return good;

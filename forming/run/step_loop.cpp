@@ -130,12 +130,10 @@ void refuse_closed_film(const Scene& scene, double dt, StepResult& result) {
 /// it does not. Tools slow down ever faster as they come to rest, so that a step to the moment predicted before it is
 /// too long; what else ends a stage is not predicted.
 double up_to_end(const Scene& scene, const State& before, const StepResult& result, double dt) {
-  constexpr double bearable = 0.02, shortest = 0.1;  // of the step, or of the longest one allowed
-  const double longest = std::max(dt, result.state.next_step);
   const double beyond_rest = -time_to_rest(scene, result.state);
-  const double beyond =
-      std::max(beyond_rest < dt ? beyond_rest : 0, (1 - share_until_end(scene, before, result.state)) * dt);
-  return beyond > bearable * longest ? std::max(dt - beyond, shortest * dt) : dt;
+  const double share = share_until_end(scene.stages[result.state.stage], end_measure(scene, before),
+                                       end_measure(scene, result.state));
+  return shortened_to_end(dt, std::max(beyond_rest < dt ? beyond_rest : 0, (1 - share) * dt), result.state.next_step);
 }
 
 /// A step that converged and kept within its allowance; false when the smallest one did not.

@@ -19,12 +19,13 @@ enum class SolidSide { inner, outer, rim };
 /// A tool of the stages in which the glass is a solid.
 struct SolidTool {
   Index tool;  ///< index into Scene::tools
-  std::unique_ptr<contact::SectionSurface> surface;
+  std::shared_ptr<const contact::SectionSurface> surface;
   core::PrismMesh mesh;                         ///< in the tool's own frame
   Eigen::VectorXd temperature;                  ///< by node, K
   Eigen::VectorXd mass;                         ///< by point of the cells, kg
   double heat_received = 0;                     ///< from the glass since the start of the solid, J, of the sector
   core::Vector3 force = core::Vector3::Zero();  ///< of the glass on it in the last step, N, of the sector
+  double end_force = 0;                         ///< its part along the axis at the end of that step
 };
 
 /// Sums since the glass became a solid, of its sector.

@@ -7,6 +7,7 @@
 
 #include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
+#include "forming/state/interpolate.hpp"
 
 namespace parison::forming {
 
@@ -58,6 +59,18 @@ void count_tools_of_flow(const std::vector<std::size_t>& places, SolidState& sol
   }
 }
 
+/// Forces on the tools in the middle of a step, and carried on to its end where the stage has had one before.
+void store_forces(const std::vector<std::size_t>& places, const flow::SolidStep& step, const flow::SolidGlass& before,
+                  SolidState& solid) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    SolidTool& tool = solid.tools[places[i]];
+    const double now = step.tool_forces[i][2];
+    const bool goes_on = before.velocity.size() > 0;
+    tool.end_force = goes_on ? carried_on(tool.force[2], now, step.dt / (step.dt + before.last_step)) : now;
+    tool.force = step.tool_forces[i];
+  }
+}
+
 /// The temperatures expected in the middle of a step, at which the glass flows.
 Eigen::VectorXd middle_temperature(const SolidState& solid, double dt) {
   if (solid.temperature_rate.size() == 0) return solid.glass.temperature;
@@ -96,7 +109,7 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
     return outcome;
   }
   count_tools_of_solid(places, solid);
-  for (std::size_t i = 0; i < places.size(); ++i) solid.tools[places[i]].force = outcome.flow.tool_forces[i];
+  store_forces(places, outcome.flow, before, solid);
   outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
   if (!outcome.reason.empty()) {
     solid.glass = before;

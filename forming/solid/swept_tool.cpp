@@ -42,7 +42,7 @@ SolidTool swept_tool(const Scene& scene, const State& state, Index tool) {
   const ToolState& round = state.tools[tool];
   SolidTool result;
   result.tool = tool;
-  result.surface = std::make_unique<contact::SectionSurface>(body.profile, contact_boundaries(body), body.section);
+  result.surface = std::make_shared<contact::SectionSurface>(body.profile, contact_boundaries(body), body.section);
   // Quadratic in the angle: arcs of 15 degrees are round to 1e-5 of their radius; shapes with corners need more.
   const double arc = body.section.is_round() ? M_PI / 12 : M_PI / 32;
   const auto layers = std::max(Index{1}, static_cast<Index>(std::lround(scene.solid->sector / arc)));

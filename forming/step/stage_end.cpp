@@ -58,31 +58,37 @@ double share_near_tools(const Scene& scene, const State& state, double within) {
   return whole > 0 ? near / whole : 0;
 }
 
-/// How far the glass has come beyond a place along the axis in the direction of gravity, m.
-double beyond_place(const State& state, double gravity, double place) {
-  const double down = gravity > 0 ? 1 : -1;
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Point& x : state.glass.mesh.nodes) most = std::max(most, down * (x[core::dim - 1] - place));
-  return most;
+double largest_force(const Scene& scene, const State& state) {
+  double largest = 0;
+  for (const StageTool& tool : scene.stages[state.stage].tools)
+    largest = std::max(largest, std::abs(state.tools[tool.tool].end_force));
+  return largest;
 }
 
-/// By how much a state exceeds what ends its stage, in the unit of the condition, which holds from zero on.
-double excess(const Scene& scene, const State& state, const EndCondition& end) {
-  const Stage& stage = scene.stages[state.stage];
+/// 1 where gravity acts along the axis, -1 where it acts against it.
+double downwards(const Stage& stage) {
+  return stage.gravity > 0 ? 1 : -1;
+}
+
+double lowest_place(const Stage& stage, const State& state) {
+  const double down = downwards(stage);
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Point& x : state.glass.mesh.nodes) most = std::max(most, down * x[core::dim - 1]);
+  return down * most;
+}
+
+/// By how much what was measured exceeds what ends a stage, in the unit of the condition, which holds from zero on.
+double excess(const Stage& stage, const EndCondition& end, double measured) {
   switch (end.kind) {
-    case EndCondition::Kind::force: {
-      double largest = 0;
-      for (const StageTool& tool : stage.tools) largest = std::max(largest, std::abs(state.tools[tool.tool].end_force));
-      return largest - end.value * (1 - 1e-9);
-    }
+    case EndCondition::Kind::force:
+      return measured - end.value * (1 - 1e-9);
     case EndCondition::Kind::filled:
-      return share_near_tools(scene, state, end.within) - end.value;
-    case EndCondition::Kind::surface_below:
-      return end.value - mean_surface_temperature(scene, state);
     case EndCondition::Kind::surface_above:
-      return mean_surface_temperature(scene, state) - end.value;
+      return measured - end.value;
+    case EndCondition::Kind::surface_below:
+      return end.value - measured;
     case EndCondition::Kind::lowest:
-      return beyond_place(state, stage.gravity, end.value);
+      return downwards(stage) * (measured - end.value);
   }
   return 0;
 }
@@ -127,26 +133,52 @@ double longest_stage_time(const Scene& scene, const State& state) {
   return stage.end_time ? *stage.end_time - state.stage_start : stage.duration;
 }
 
+EndMeasure end_measure(const Scene& scene, const State& state) {
+  return [&](const EndCondition& end) {
+    switch (end.kind) {
+      case EndCondition::Kind::force:
+        return largest_force(scene, state);
+      case EndCondition::Kind::filled:
+        return share_near_tools(scene, state, end.within);
+      case EndCondition::Kind::surface_below:
+      case EndCondition::Kind::surface_above:
+        return mean_surface_temperature(scene, state);
+      case EndCondition::Kind::lowest:
+        return lowest_place(scene.stages[state.stage], state);
+    }
+    return 0.0;
+  };
+}
+
 StageEnd stage_end(const Scene& scene, const State& state) {
-  const Stage& stage = scene.stages[state.stage];
-  if (state.stage_time >= longest_stage_time(scene, state) - same_time) return StageEnd::duration;
-  if (time_to_rest(scene, state) <= rest_tolerance * std::max(state.last_step, state.next_step))
+  return stage_end(scene, state, end_measure(scene, state));
+}
+
+StageEnd stage_end(const Scene& scene, const State& clock, const EndMeasure& measure) {
+  const Stage& stage = scene.stages[clock.stage];
+  if (clock.stage_time >= longest_stage_time(scene, clock) - same_time) return StageEnd::duration;
+  if (time_to_rest(scene, clock) <= rest_tolerance * std::max(clock.last_step, clock.next_step))
     return StageEnd::tools_at_rest;
-  if (state.stage_time > 0)
+  if (clock.stage_time > 0)
     for (const EndCondition& end : stage.ends)
-      if (excess(scene, state, end) >= 0) return reason_of(end.kind);
+      if (excess(stage, end, measure(end)) >= 0) return reason_of(end.kind);
   return StageEnd::none;
 }
 
-double share_until_end(const Scene& scene, const State& before, const State& after) {
+double share_until_end(const Stage& stage, const EndMeasure& before, const EndMeasure& after) {
   double share = 1;
-  for (const EndCondition& end : scene.stages[after.stage].ends) {
-    const double now = excess(scene, after, end);
+  for (const EndCondition& end : stage.ends) {
+    const double now = excess(stage, end, after(end));
     if (now <= 0) continue;
-    const double then = excess(scene, before, end);
+    const double then = excess(stage, end, before(end));
     if (then < 0) share = std::min(share, then / (then - now));
   }
   return share;
+}
+
+double shortened_to_end(double dt, double beyond, double longest) {
+  constexpr double bearable = 0.02, shortest = 0.1;  // of the step, or of the longest one allowed
+  return beyond > bearable * std::max(dt, longest) ? std::max(dt - beyond, shortest * dt) : dt;
 }
 
 const char* name_of(StageEnd end) {

@@ -1,5 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
 #include <vector>
 
 #include "core/math/numbers.hpp"
@@ -43,9 +44,19 @@ using core::same_time;
 /// have been for some time, infinite where they do not fall or have not been faster yet.
 double time_to_rest(const Scene& scene, const State& state);
 
+/// What a condition that ends a stage is about, in its unit: the largest force of a tool, the share near tools, the
+/// mean temperature of the surface, or the lowest place of the glass.
+using EndMeasure = std::function<double(const EndCondition&)>;
+/// Of a round state.
+EndMeasure end_measure(const Scene& scene, const State& state);
+
 /// The share of a step after which the first of the stage's conditions held that holds at its end and not at its start,
 /// as on a straight line between both; 1 where there is none.
-double share_until_end(const Scene& scene, const State& before, const State& after);
+double share_until_end(const Stage& stage, const EndMeasure& before, const EndMeasure& after);
+
+/// The length, s, of a step that ends with the stage, instead of one of length `dt` that goes beyond it by `beyond`;
+/// `dt` where that is little of it or of the `longest` step allowed now.
+double shortened_to_end(double dt, double beyond, double longest);
 
 /// How long the present stage lasts unless another condition ends it, s.
 double longest_stage_time(const Scene& scene, const State& state);
@@ -53,5 +64,7 @@ double longest_stage_time(const Scene& scene, const State& state);
 /// Whether and by which condition the present stage is over: its duration has passed, or its driven tools have moved
 /// faster than the end speed and are all slower again, or a condition of the stage holds at the end of a step.
 StageEnd stage_end(const Scene& scene, const State& state);
+/// The same with another measure of the glass.
+StageEnd stage_end(const Scene& scene, const State& clock, const EndMeasure& measure);
 
 }  // namespace parison::forming

@@ -30,7 +30,7 @@ struct Hanging {
       if (tool.name != "blow_mould") continue;
       solid.tools.emplace_back();
       solid.tools.back().tool = static_cast<Index>(t);
-      solid.tools.back().surface = std::make_unique<contact::SectionSurface>(tool.profile, contact_boundaries(tool),
+      solid.tools.back().surface = std::make_shared<contact::SectionSurface>(tool.profile, contact_boundaries(tool),
                                                                              tool.section, tool.position);
     }
   }

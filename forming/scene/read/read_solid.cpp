@@ -94,7 +94,6 @@ void check_solid_stage(const Stage& stage, const CaseNode& node) {
                                    what));
   };
   if (stage.cools) refuse("a stage of cooling after the mould");
-  if (!stage.ends.empty() || stage.end_speed) refuse("a condition that ends the stage early");
   if (stage.trapped_air) refuse("trapped air");
   for (const StageTool& tool : stage.tools)
     if (std::holds_alternative<ForceMotion>(tool.motion)) refuse("a tool that a force drives");
