@@ -9,6 +9,7 @@
 #include "core/process/run_error.hpp"
 #include "core/solid/cell_stacks.hpp"
 #include "forming/solid/solid_heat.hpp"
+#include "forming/solid/solid_openings.hpp"
 #include "forming/solid/swept_tool.hpp"
 #include "forming/state/initial_state.hpp"
 #include "remesh/solid/column_values.hpp"
@@ -101,6 +102,7 @@ SolidState hand_over(const Scene& scene, const State& state, double cell_size) {
   keep_heat(body, solid.totals.start_heat, Eigen::VectorXd::Ones(solid.glass.mesh.node_count()),
             solid.glass.temperature);
   for (const Index tool : tools_in_space(scene)) solid.tools.push_back(swept_tool(scene, state, tool));
+  take_openings(scene, state, solid);
   return solid;
 }
 

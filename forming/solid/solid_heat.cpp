@@ -11,6 +11,7 @@
 #include "contact/solid/solid_mortar.hpp"
 #include "core/mesh/element.hpp"
 #include "core/solid/hex_element.hpp"
+#include "forming/solid/solid_openings.hpp"
 #include "forming/step/heat/heat_step.hpp"
 #include "forming/step/heat/surroundings.hpp"
 #include "forming/step/heat/thermal_interface.hpp"
@@ -91,6 +92,15 @@ class ContactPlaces {
   std::map<std::array<int, 2>, std::vector<Vector3>> places_;
 };
 
+/// Of the glass at a place of one of its faces, K.
+double temperature_at(const SolidState& solid, Index face, const std::array<double, 2>& at) {
+  const auto shape = core::quad_shape(at[0], at[1]);
+  double temperature = 0;
+  for (std::size_t n = 0; n < shape.size(); ++n)
+    temperature += shape[n] * solid.glass.temperature[solid.heat_faces[face].nodes[n]];
+  return temperature;
+}
+
 /// The virtual surface between the glass and the tools that are in place, at the present positions.
 core::SolidInterface solid_interface(const Scene& scene, const State& clock, const SolidState& solid,
                                      std::vector<std::vector<Vector3>>& moved) {
@@ -109,15 +119,18 @@ core::SolidInterface solid_interface(const Scene& scene, const State& clock, con
       if (scene.tools[tool.tool].boundaries[b].kind == BoundaryKind::contact) touching.push_back(static_cast<Index>(b));
     masters.push_back({contact::solid_surface(1 + static_cast<Index>(t), moved[t], tool.mesh.faces, touching),
                        static_cast<Index>(law - scene.interfaces.begin()), law->transition_gap,
-                       [&, t, offset](Index face, const std::array<double, 2>& at) {
+                       [&, t, offset, law](Index face, const std::array<double, 2>& at) {
                          const auto place =
                              core::face_place(solid.glass.mesh.nodes, solid.heat_faces[face], at[0], at[1]);
                          const double gap = solid.tools[t].surface->gap(place.position - offset).distance;
-                         const std::size_t point = places.nearest(solid.faces[face], at);
-                         const auto& contact = solid.glass.contact[face * flow::contact_points_per_face + point];
+                         const std::size_t index =
+                             face * flow::contact_points_per_face + places.nearest(solid.faces[face], at);
+                         const auto& contact = solid.glass.contact[index];
                          const bool presses = contact.touches && contact.tool == static_cast<Index>(t);
-                         return contact::ContactState{presses ? std::min(gap, 0.0) : gap,
-                                                      presses ? std::max(0.0, contact.pressure) : 0};
+                         contact::ContactState state{presses ? std::min(gap, 0.0) : gap,
+                                                     presses ? std::max(0.0, contact.pressure) : 0};
+                         set_opening(scene, solid, *law, index, temperature_at(solid, face, at), state);
+                         return state;
                        }});
   }
   if (masters.empty() || solid.glass.contact.empty()) return {};

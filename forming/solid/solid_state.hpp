@@ -50,6 +50,8 @@ struct SolidState {
   std::vector<std::vector<Index>> columns;  ///< nodes through the wall, from the inner side to the outer one
   std::vector<std::vector<Index>> stacks;   ///< cells through the wall, in the same order
   Eigen::VectorXd temperature_rate;         ///< of the last step, K/s; empty: none
+  Eigen::VectorXd contact_opening;  ///< by point of SolidGlass::contact, of the gap beyond that at first touch, m; empty
+                                    ///< where no contact law has a gap
   std::vector<SolidTool> tools;
   double share = 1;                                       ///< of the whole turn
   double last_step = 0, next_step = 0, heat_substep = 0;  ///< s

@@ -7,6 +7,7 @@
 
 #include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
+#include "forming/solid/solid_openings.hpp"
 #include "forming/state/interpolate.hpp"
 
 namespace parison::forming {
@@ -115,6 +116,7 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
     solid.glass = before;
     return outcome;
   }
+  advance_openings(scene, clock, dt, before, solid);
   outcome.accepted = true;
   ++solid.totals.steps;
   solid.totals.factors += outcome.flow.factors;

@@ -23,6 +23,7 @@ void visit_solid(Visitor visit, Solid& solid, const std::vector<Index>& without 
   visit("contact", solid.glass.contact);
   visit("point_mass", solid.point_mass);
   visit("temperature_rate", solid.temperature_rate);
+  visit("contact_opening", solid.contact_opening);
   visit("last_step", solid.last_step);
   visit("next_step", solid.next_step);
   visit("heat_substep", solid.heat_substep);

@@ -169,7 +169,7 @@ struct SolidVelocity {
 /// Without tools; `expansion` is div v of each cell, 1/s.
 inline SolidVelocity solve_instant(const flow::SolidProblem& problem, flow::FlowMatrix& matrix,
                                    const flow::SolidGlass& glass, double expansion = 0) {
-  matrix.assemble(problem, glass.mesh, glass.temperature);
+  matrix.assemble(problem, glass.mesh, glass.temperature, Eigen::VectorXd::Zero(3 * glass.mesh.node_count()));
   matrix.factorise();
   const Eigen::VectorXd force = flow::pressure_forces(problem, glass.mesh) +
                                 flow::surface_tension_forces(problem, glass.mesh) +

@@ -209,14 +209,6 @@ void check_solid(const Scene& scene, const CaseTable& root) {
                                               "sections of \"{}\" have two planes of symmetry",
                                               scene.solid->sector * 180 / M_PI, tool->name));
   }
-  if (scene.solid && scene.has_gap_law())
-    core::refuse(*stages[from], "a contact law with a gap was found, which is not computed in space yet");
-  for (const Tool& tool : scene.tools)
-    if (scene.solid && tool.friction.coulomb)
-      core::refuse(*stages[from],
-                   fmt::format("\"{}\" has a coulomb friction, which is not computed in space yet", tool.name));
-  if (scene.solid && scene.glass.flow->shear_thinning)
-    core::refuse(*stages[from], "glass that thins by shear was found, which is not computed in space yet");
 }
 
 }  // namespace parison::forming

@@ -53,21 +53,23 @@ void fill_viscous(const HexMatrix& sums, HexMatrix& viscous) {
 
 }  // namespace
 
-void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, const core::HexShape& temperature,
-                  HexMatrices& result) {
-  const int across = points_across(log_viscosity(problem, temperature, nodes));
+void compute_cell(const SolidProblem& problem, const CellState& cell, HexMatrices& result) {
+  const core::HexNodes& nodes = cell.nodes;
+  const int across = points_across(log_viscosity(problem, cell.temperature, nodes));
   const HexRule& rule = core::hex_rule(points_along, across);
   const auto count = static_cast<Index>(rule.at.size());
   thread_local Gradients gradients, weighted;
   gradients.resize(hex_unknowns, count);
-  const Eigen::ArrayXd viscosity =
-      log_viscosity(problem, rule.shape.transpose() * temperature, nodes * rule.shape).exp();
+  Eigen::ArrayXd viscosity =
+      log_viscosity(problem, rule.shape.transpose() * cell.temperature, nodes * rule.shape).exp();
   Eigen::ArrayXd volume(count);
   Eigen::Matrix<double, 4, Eigen::Dynamic> pressure(4, count);
   for (Index q = 0; q < count; ++q) {
     const core::HexPoint point = core::map_hex_point(nodes, rule, static_cast<std::size_t>(q));
     gradients.col(q) = Eigen::Map<const CellVector>(point.gradient.data());
     volume[q] = point.volume;
+    if (problem.material->shear_thinning)
+      viscosity[q] *= (*problem.material->shear_thinning)(squared_shear_rate(cell.velocity * point.gradient.transpose()));
     pressure.col(q) << 1, rule.at[q].array() - 0.5;
   }
   weighted = gradients * (viscosity * volume).matrix().asDiagonal();

@@ -22,9 +22,14 @@ struct HexMatrices {
   double mean_viscosity = 0;  ///< over its volume, Pa.s
 };
 
-/// Over a cell at `nodes`, m, with `temperature` at them, K. The Gauss rule across the wall has the more points the
-/// more the viscosity differs there.
-void compute_cell(const SolidProblem& problem, const core::HexNodes& nodes, const core::HexShape& temperature,
-                  HexMatrices& result);
+/// What a cell has at its nodes, one a column.
+struct CellState {
+  core::HexNodes nodes;        ///< m
+  core::HexShape temperature;  ///< K
+  core::HexNodes velocity;     ///< m/s: by it glass thins that thins by shear
+};
+
+/// The Gauss rule across the wall has the more points the more the viscosity differs there.
+void compute_cell(const SolidProblem& problem, const CellState& cell, HexMatrices& result);
 
 }  // namespace parison::flow

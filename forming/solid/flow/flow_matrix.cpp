@@ -61,14 +61,18 @@ void FlowMatrix::set_given(const SolidProblem& problem) {
   moves_given_ = !problem.fixed.empty() && !problem.fixed_velocity.isZero(0);
 }
 
-void FlowMatrix::assemble(const SolidProblem& problem, const HexMesh& mesh, const Eigen::VectorXd& temperature) {
+void FlowMatrix::assemble(const SolidProblem& problem, const HexMesh& mesh, const Eigen::VectorXd& temperature,
+                          const Eigen::VectorXd& velocity) {
   set_given(problem);
   std::fill(assembly_.matrix.value.begin(), assembly_.matrix.value.end(), 0.0);
   HexMatrices computed;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    core::HexShape own;
-    for (int n = 0; n < HexMesh::nodes_per_cell; ++n) own[n] = temperature[nodes_[cell][n]];
-    compute_cell(problem, core::cell_nodes(mesh, cell), own, computed);
+    CellState own{core::cell_nodes(mesh, cell), {}, {}};
+    for (int n = 0; n < HexMesh::nodes_per_cell; ++n) {
+      own.temperature[n] = temperature[nodes_[cell][n]];
+      own.velocity.col(n) = velocity.segment<3>(3 * nodes_[cell][n]);
+    }
+    compute_cell(problem, own, computed);
     cells_[cell] = {computed.divergence, penalty_factor * computed.mean_viscosity * computed.mass.inverse(),
                     computed.moment, computed.share, computed.mean_viscosity};
     computed.viscous.noalias() += computed.divergence.transpose() * (cells_[cell].penalty * computed.divergence);

@@ -19,8 +19,10 @@ class FlowMatrix {
   /// Analyses the pattern; it serves as long as cells and conditions stay.
   FlowMatrix(const HexMesh& mesh, const std::vector<SymmetryPlane>& planes, const std::vector<Index>& fixed);
 
-  /// Computes the cells of `glass` with its nodes at `mesh`; what contact added is gone.
-  void assemble(const SolidProblem& problem, const HexMesh& mesh, const Eigen::VectorXd& temperature);
+  /// Computes the cells of `glass` with its nodes at `mesh`, and a velocity that is expected, three for each node, m/s;
+  /// what contact added is gone.
+  void assemble(const SolidProblem& problem, const HexMesh& mesh, const Eigen::VectorXd& temperature,
+                const Eigen::VectorXd& velocity);
   /// Adds a matrix between the velocities of a cell, Pa.s.m; the lower triangle is read.
   void add(Index cell, const HexMatrix& matrix);
   /// Throws core::RunError where the matrix is not positive definite.

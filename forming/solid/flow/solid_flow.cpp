@@ -15,6 +15,9 @@ namespace {
 
 constexpr double volume_tolerance = 1e-9;
 constexpr int most_solutions = 30, most_factors = 3;
+constexpr double friction_tolerance = 1e-6;   ///< change of the friction at its limit by a solution, over all of it
+constexpr double viscosity_tolerance = 2e-3;  ///< mean change of ln eta, of glass that thins by shear
+constexpr int most_viscosities = 12;          ///< each halves the change, about, with an exponent of 0.5
 constexpr double steady_share = 0.25;  ///< largest change of a velocity that goes on
 constexpr double worst_volume = 0.1;   ///< of a cell, beyond which a step is too long
 constexpr double least_shape = 0.02;   ///< least Jacobian of a cell over that at its centre
@@ -121,6 +124,40 @@ struct Motion {
   }
 };
 
+/// Calls visit(cell, volume, gradient of the velocity) for points of each cell.
+template <typename Visit>
+void for_each_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity, const Visit& visit) {
+  constexpr int points = 2;
+  const core::HexRule& rule = core::hex_rule(points, points);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const core::HexNodes nodes = core::cell_nodes(mesh, cell);
+    core::HexNodes own;
+    for (int n = 0; n < HexMesh::nodes_per_cell; ++n) own.col(n) = velocity.segment<3>(3 * mesh.cells[cell][n]);
+    for (std::size_t q = 0; q < rule.at.size(); ++q) {
+      const core::HexPoint point = core::map_hex_point(nodes, rule, q);
+      visit(cell, point.volume, own * point.gradient.transpose());
+    }
+  }
+}
+
+/// By how much the viscosity of glass that thins by shear differs between two velocities: the mean of its logarithm's
+/// change over what is dissipated.
+double change_of_viscosity(const Carreau& law, const FlowMatrix& matrix, const HexMesh& mesh,
+                           const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+  std::vector<double> factor;
+  for_each_rate(mesh, before, [&](Index, double, const Eigen::Matrix3d& slope) {
+    factor.push_back(law(squared_shear_rate(slope)));
+  });
+  double sum = 0, power = 0;
+  std::size_t at = 0;
+  for_each_rate(mesh, after, [&](Index cell, double volume, const Eigen::Matrix3d& slope) {
+    const double rate = squared_shear_rate(slope), part = volume * rate * matrix.mean_viscosity(cell);
+    sum += part * std::abs(std::log(law(rate) / factor[at++]));
+    power += part;
+  });
+  return power > 0 ? sum / power : 0;
+}
+
 bool is_folded(const HexMesh& mesh) {
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     if (core::least_jacobian(mesh, cell) < least_shape) return true;
@@ -131,22 +168,45 @@ bool is_folded(const HexMesh& mesh) {
 void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& force, Motion& motion, SolidStep& step) {
   contact.add_changes(matrix);
   matrix.factorise();
-  step.factors = 1;
+  int factors = 1, solutions = 0;
   Eigen::VectorXd lacking = motion.lack();
-  while (step.solutions < most_solutions) {
+  while (solutions < most_solutions) {
     motion.solve(force + contact.forces(), lacking);
-    ++step.solutions;
+    ++solutions;
     contact.look(motion.velocity);
     lacking = motion.lack();
     step.volume_error = motion.error(lacking);
-    if (!(step.volume_error <= worst_volume)) return;
-    if (step.factors < most_factors && contact.choose() > 0) {
+    if (!(step.volume_error <= worst_volume)) break;
+    if (factors < most_factors && contact.choose() > 0) {
       contact.add_changes(matrix);
       matrix.factorise();
-      ++step.factors;
+      ++factors;
       continue;
     }
-    if (step.volume_error <= volume_tolerance) break;
+    if (step.volume_error <= volume_tolerance && contact.friction_change() <= friction_tolerance) break;
+  }
+  step.factors += factors;
+  step.solutions += solutions;
+}
+
+}  // namespace
+
+namespace {
+
+/// Balances forces with the viscosity at the velocities that come out: by iterates with that of the ones before.
+ToolContact balance_thinned(const SolidProblem& problem, FlowMatrix& matrix, const HexMesh& middle,
+                            const SolidGlass& glass, Motion& motion, SolidStep& step) {
+  const auto& thinning = problem.material->shear_thinning;
+  const bool has_contact = glass.contact.size() == contact_points_per_face * problem.contact_faces.size();
+  for (int pass = 1;; ++pass) {
+    const Eigen::VectorXd expected = motion.velocity;
+    matrix.assemble(problem, middle, glass.temperature, expected);
+    ToolContact contact(problem, matrix, glass.mesh, middle, glass.temperature, expected,
+                        has_contact ? &glass.contact : nullptr, motion.dt);
+    balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
+    if (!thinning || pass == most_viscosities || !(step.volume_error <= volume_tolerance) ||
+        change_of_viscosity(*thinning, matrix, middle, expected, motion.velocity) <= viscosity_tolerance)
+      return contact;
   }
 }
 
@@ -162,13 +222,9 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
   if (glass.pressure.size() == 0) glass.pressure = Eigen::VectorXd::Zero(4 * glass.mesh.cell_count());
   const HexMesh middle = moved(glass.mesh, first_half(glass, dt), 0.5 * dt);
   if (is_folded(middle)) return step;
-  matrix.assemble(problem, middle, glass.temperature);
   const Eigen::VectorXd volumes = volumes_by_mass(*problem.material, glass);
   Motion motion{matrix, glass.mesh, volumes, dt, glass.velocity, glass.pressure};
-  ToolContact contact(
-      problem, matrix, glass.mesh, middle, glass.temperature, glass.velocity,
-      glass.contact.size() == contact_points_per_face * problem.contact_faces.size() ? &glass.contact : nullptr, dt);
-  balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
+  const ToolContact contact = balance_thinned(problem, matrix, middle, glass, motion, step);
   step.strain = dt * strain_rate(middle, motion.velocity);
   HexMesh end = moved(glass.mesh, motion.velocity, dt);
   if (!(step.strain < most_strain) || !(step.volume_error <= volume_tolerance) || is_folded(end)) return step;
@@ -183,19 +239,11 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
 }
 
 double strain_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity) {
-  constexpr int points = 2;
-  const core::HexRule& rule = core::hex_rule(points, points);
   double worst = 0;
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    const core::HexNodes nodes = core::cell_nodes(mesh, cell);
-    core::HexNodes own;
-    for (int n = 0; n < HexMesh::nodes_per_cell; ++n) own.col(n) = velocity.segment<3>(3 * mesh.cells[cell][n]);
-    for (std::size_t q = 0; q < rule.at.size(); ++q) {
-      const Eigen::Matrix3d slope = own * core::map_hex_point(nodes, rule, q).gradient.transpose();
-      worst = std::max(worst, (0.5 * (slope + slope.transpose())).squaredNorm());
-    }
-  }
-  return std::sqrt(2.0 / 3 * worst);
+  for_each_rate(mesh, velocity, [&](Index, double, const Eigen::Matrix3d& slope) {
+    worst = std::max(worst, squared_shear_rate(slope));
+  });
+  return std::sqrt(worst / 3);
 }
 
 double propose_step(const SolidProblem& problem, const SolidGlass& glass, const SolidStepLimits& limits) {

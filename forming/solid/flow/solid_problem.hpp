@@ -30,8 +30,7 @@ struct SolidTool {
   Friction friction;
 };
 
-/// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without inertia
-/// and without shear thinning: who reads a case refuses Material::shear_thinning here.
+/// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without inertia.
 struct SolidProblem {
   const Material* material;
   std::function<double(const Vector3&)> viscosity;  ///< Pa.s at a position; none: the material's by temperature
@@ -44,6 +43,11 @@ struct SolidProblem {
   std::vector<HexFace> contact_faces;  ///< that may touch a tool
   std::vector<SolidTool> tools;
 };
+
+/// The square of the shear rate, 2 D:D, 1/s2, of a velocity with this gradient, 1/s.
+inline double squared_shear_rate(const Eigen::Matrix3d& gradient) {
+  return 0.5 * (gradient + gradient.transpose()).squaredNorm();
+}
 
 /// Gauss points along a side of a face.
 inline constexpr int points_along = 3;

@@ -30,6 +30,8 @@ constexpr double few_share = 0.05;
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
 constexpr double grip_reach = 1e-3;  ///< m
+/// Stiffness along the slip at Coulomb's limit over that of the secant: the tangent itself is zero.
+constexpr double least_slope = 1e-3;
 
 double largest(const Eigen::VectorXd& velocity) {
   double square = 0;
@@ -87,6 +89,7 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
       if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * point.size) continue;
       point.start_gap = point.gap;
       point.was_released = before && (*before)[all_.size() - 1].released;
+      point.pressure_before = before ? (*before)[all_.size() - 1].pressure : 0;
       point.temperature = 0;
       for (int n = 0; n < 9; ++n) point.temperature += at.shape[n] * temperature[nodes[n]];
       place_.push_back(static_cast<Index>(all_.size()) - 1);
@@ -111,9 +114,11 @@ void ToolContact::expect(Point& point) const {
   point.slide_target = point.tied ? velocity : velocity + (1 - landed) * (point.velocity - velocity);
   if (point.tied)
     point.drag = grip_drag;
-  else if (friction.law == Friction::Law::navier)
+  else if (friction.law == Friction::Law::navier) {
     point.drag = friction.coefficient_at(point.temperature) * landed;
-  else
+    point.coulomb = friction.coulomb;
+    slide(point, point.pressure_before);  // glass that lands sticks at first
+  } else
     point.drag = friction.law == Friction::Law::slip ? 0 : point.stiffness;
   point.touches = point.tied || (point.start_gap <= 0 && !point.was_released) || point.gap < -passed_share * point.size;
 }
@@ -130,7 +135,44 @@ void ToolContact::look(const Eigen::VectorXd& velocity) {
     }
     point.velocity = at_point(velocity, nodes, point.shape);
     nearest(positions * point.shape + dt_ * point.velocity, dt_, point);
+    point.limit_friction_before = point.limit_friction;
+    point.limit_friction = point.touches && point.slides ? friction(point) : Vector3::Zero();
   }
+}
+
+double ToolContact::friction_change() const {
+  double change = 0, all = 0;
+  for (const Point& point : points_) {
+    change += point.area * (point.limit_friction - point.limit_friction_before).norm();
+    all += point.area * point.limit_friction.norm();
+  }
+  return all > 0 ? change / all : 0;
+}
+
+/// Along the tool, m/s.
+Vector3 ToolContact::slip(const Point& point) const {
+  const Vector3 slip = point.velocity - point.slide_target;
+  return slip - slip.dot(point.normal) * point.normal;
+}
+
+/// Whether the point slides at Coulomb's limit under a pressure, Pa: its drag would be larger. One that slid and would
+/// turn back sticks.
+void ToolContact::slide(Point& point, double pressure) const {
+  const Vector3 along = slip(point);
+  const double limit = point.coulomb.value_or(core::infinity) * std::max(pressure, 0.0), speed = along.norm();
+  const bool turns_back = point.slides && along.dot(point.slides_along) <= 0;
+  point.slides = limit > 0 && point.drag * speed > limit && !turns_back;
+  if (!point.slides) return;
+  point.slides_along = along / speed;
+  point.secant = limit / speed;
+}
+
+/// Shear stress of the glass on the tool, Pa. A point slides or does not until it is chosen anew.
+Vector3 ToolContact::friction(const Point& point) const {
+  const Vector3 along = slip(point);
+  if (!point.slides) return point.drag * along;
+  const double limit = *point.coulomb * std::max(pressure(point), 0.0);
+  return limit * (along.dot(point.slides_along) > 0 ? along.normalized() : point.slides_along);
 }
 
 double ToolContact::pressure(const Point& point) const {
@@ -140,14 +182,16 @@ double ToolContact::pressure(const Point& point) const {
 
 Vector3 ToolContact::traction(const Point& point) const {
   if (point.tool < 0) return Vector3::Zero();
-  const Vector3 slip = point.velocity - point.slide_target;
-  return pressure(point) * point.normal - point.drag * (slip - slip.dot(point.normal) * point.normal);
+  return pressure(point) * point.normal - friction(point);
 }
 
 /// Minus the derivative of the traction.
 Eigen::Matrix3d ToolContact::slope(const Point& point) const {
-  return point.drag * Eigen::Matrix3d::Identity() +
-         (point.stiffness - point.drag) * point.normal * point.normal.transpose();
+  const double drag = point.slides ? point.secant : point.drag;
+  Eigen::Matrix3d slope =
+      drag * Eigen::Matrix3d::Identity() + (point.stiffness - drag) * point.normal * point.normal.transpose();
+  if (point.slides) slope -= (1 - least_slope) * drag * point.slides_along * point.slides_along.transpose();
+  return slope;
 }
 
 Index ToolContact::choose() {
@@ -159,15 +203,16 @@ Index ToolContact::choose() {
     }
   const double bearable = area > 0 ? bearable_tension * force / area : 0;
   Index changed = 0, touching = 0;
-  std::vector<bool> is_so(points_.size());
+  std::vector<Point> chosen = points_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const Point& point = points_[k];
-    is_so[k] = point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
-    changed += is_so[k] != point.touches;
-    touching += is_so[k];
+    Point& point = chosen[k];
+    point.touches = point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
+    if (point.touches) slide(point, pressure(point));
+    changed += point.touches != points_[k].touches || point.slides != points_[k].slides;
+    touching += point.touches;
   }
   if (changed <= few_share * static_cast<double>(touching)) return 0;
-  for (std::size_t k = 0; k < points_.size(); ++k) points_[k].touches = is_so[k];
+  points_ = std::move(chosen);
   return changed;
 }
 
@@ -179,14 +224,16 @@ void ToolContact::add_changes(FlowMatrix& matrix) {
     bool is_changed = false;
     for (last = first; last < points_.size() && points_[last].face == points_[first].face; ++last) {
       Point& point = points_[last];
-      if (point.touches == point.is_added) continue;
+      if (point.touches == point.is_added && point.slides == point.is_added_sliding) continue;
       if (!std::exchange(is_changed, true)) sum.setZero();
-      const Eigen::Matrix3d added = point.touches ? slope(point) : -point.added;
+      const Eigen::Matrix3d wanted = point.touches ? slope(point) : Eigen::Matrix3d::Zero();
+      const Eigen::Matrix3d added = wanted - point.added;
       for (int a = 0; a < 9; ++a)
         for (int b = 0; b < 9; ++b)
           sum.block<3, 3>(3 * local[a], 3 * local[b]) += point.area * point.shape[a] * point.shape[b] * added;
-      point.added = point.touches ? added : Eigen::Matrix3d::Zero();
+      point.added = wanted;
       point.is_added = point.touches;
+      point.is_added_sliding = point.slides;
     }
     if (is_changed) matrix.add(face.cell, sum);
   }

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/solid/hex_element.hpp"
@@ -21,8 +22,8 @@ class ToolContact {
 
   /// Looks at the end of the step with another velocity.
   void look(const Eigen::VectorXd& velocity);
-  /// Chooses anew which points touch, after `look`; returns how many changed, 0 where they are so few that they wait
-  /// for the next step.
+  /// Chooses anew which points touch, and which slide at the limit of their friction, after `look`; returns how many
+  /// changed, 0 where they are so few that they wait for the next step.
   Index choose();
   /// Adds to the matrix what was chosen since the last call.
   void add_changes(FlowMatrix& matrix);
@@ -31,6 +32,8 @@ class ToolContact {
   /// Contact at each point, and the force on each tool, N.
   std::vector<SolidContact> contact() const;
   std::vector<Vector3> tool_forces() const;
+  /// By how much the last `look` has changed the friction of points that slide at its limit, as a share of it all.
+  double friction_change() const;
 
  private:
   struct Point {
@@ -42,17 +45,27 @@ class ToolContact {
     double temperature = 0;                  ///< K
     Vector3 slide_target = Vector3::Zero();  ///< velocity that friction pulls to, m/s
     bool tied = false, touches = false, was_released = false;
+    std::optional<double> coulomb;  ///< most of the shear stress over the pressure
+    double pressure_before = 0;     ///< at the end of the last step, Pa
+    bool slides = false;            ///< at that limit
+    Vector3 slides_along = Vector3::Zero();       ///< unit vector in which it then does
+    double secant = 0;                            ///< shear stress over slip there, Pa.s/m
+    Vector3 limit_friction = Vector3::Zero();     ///< at the last two velocities looked at, Pa
+    Vector3 limit_friction_before = Vector3::Zero();
     // At the velocity looked at: the nearest tool, and the gap to it at the end of the step.
     Index tool = -1;
     Vector3 velocity = Vector3::Zero(), normal = Vector3::Zero();
     double gap = 0;
     // In the matrix.
-    bool is_added = false;
+    bool is_added = false, is_added_sliding = false;
     Eigen::Matrix3d added = Eigen::Matrix3d::Zero();  ///< Pa.s/m
   };
   void nearest(const Vector3& at, double time, Point& point) const;
   void expect(Point& point) const;
+  void slide(Point& point, double pressure) const;
   double pressure(const Point& point) const;
+  Vector3 slip(const Point& point) const;
+  Vector3 friction(const Point& point) const;
   Vector3 traction(const Point& point) const;
   Eigen::Matrix3d slope(const Point& point) const;
 

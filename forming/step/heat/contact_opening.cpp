@@ -9,10 +9,6 @@ namespace parison::forming {
 
 namespace {
 
-double closing_rate(const Scene& scene, const contact::GapConductance& law, double pressure, double temperature) {
-  return scene.has_flow() ? law.closing_rate(std::max(pressure, 0.0), scene.glass.flow->viscosity(temperature)) : 0;
-}
-
 /// The interface whose tool is nearest to each node, -1 where all are farther than their transition gaps, and how near.
 struct NearestTools {
   std::vector<Index> interface;
@@ -36,13 +32,16 @@ NearestTools nearest_tools(const Scene& scene, const State& state, const std::ve
   return nearest;
 }
 
-/// Share of the step in which a node was in contact whose gap is now below `limit`.
+}  // namespace
+
+double closing_rate(const Scene& scene, const contact::GapConductance& law, double pressure, double temperature) {
+  return scene.has_flow() ? law.closing_rate(std::max(pressure, 0.0), scene.glass.flow->viscosity(temperature)) : 0;
+}
+
 double share_in_contact(double gap_before, double gap, double limit) {
   if (gap_before < limit) return 1;
   return (limit - gap) / (gap_before - gap);
 }
-
-}  // namespace
 
 void set_openings(const Scene& scene, const State& state, std::vector<core::InterfacePoint>& interface) {
   if (!scene.has_gap_law()) return;

@@ -6,6 +6,12 @@
 
 namespace parison::forming {
 
+/// Rate at which a contact pressure, Pa, closes the opening of a gap beside glass of this temperature, K, 1/s.
+double closing_rate(const Scene& scene, const contact::GapConductance& law, double pressure, double temperature);
+
+/// Share of a step in which a place was in contact whose gap, m, was `gap_before` and is now below `limit`.
+double share_in_contact(double gap_before, double gap, double limit);
+
 /// Sets the openings of the interface's points, and the rates at which they close under the state's contact pressures
 /// at its temperatures. Nothing where no interface has the law of a gap.
 void set_openings(const Scene& scene, const State& state, std::vector<core::InterfacePoint>& interface);
