@@ -120,6 +120,15 @@ bool correct_glass(const StepStart& start, StepResult& result) {
   return true;
 }
 
+/// Whether a node touches a tool again that it left in the step before, or the other way round.
+bool flickers(const GlassFields& before, const GlassFields& after) {
+  for (std::size_t n = 0; n < after.contact_tool.size(); ++n) {
+    const bool first = before.previous_contact_tool[n] >= 0, then = before.contact_tool[n] >= 0;
+    if (first != then && (after.contact_tool[n] >= 0) == first) return true;
+  }
+  return false;
+}
+
 /// Notes the work of a step by temperatures of its middle that its heat did not bear out.
 void note_unforeseen(const StepStart& start, StepResult& result) {
   const auto &before = start.state, &after = result.state;
@@ -127,6 +136,7 @@ void note_unforeseen(const StepStart& start, StepResult& result) {
       unforeseen_work(start.scene.glass.flow->viscosity, before.glass.mesh, result.dissipation, result.flow_temperature,
                       before.glass.temperature, result.at_heat.glass.temperature, start.dt);
   const double measure = measure_of_error(start.scene, before, before.totals.work, after.totals.work);
+  result.report.flickers = flickers(before.glass, after.glass);
   result.report.unforeseen_work = work;
   result.report.unforeseen_error = measure > 0 ? work / measure : 0;
 }

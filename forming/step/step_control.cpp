@@ -31,12 +31,13 @@ double work_share(const Scene& scene, const StepReport& report) {
   return std::sqrt(report.work_error / scene.accuracy.work_per_step);
 }
 
-/// By how much heat that was not foreseen made a step wrong, over what it may be. The motion is wrong by the
-/// deformation of the step at the most: one as small as the error of a step of the longest deformation, its square,
-/// needs no shorter one. So a spot of stiff glass that its cooling opens and closes at every step does not shorten them
-/// for ever.
+/// By how much heat that was not foreseen made a step wrong, over what it may be. A spot of stiff glass may open and
+/// close at every step, however short, by the heat that its contact passes. The motion is wrong by the deformation of
+/// such a step at the most: one as small as the error of a step of the longest deformation, its square, is not
+/// shortened.
 double unforeseen_share(const Scene& scene, const StepReport& report) {
   const double share = std::sqrt(report.unforeseen_error / scene.accuracy.work_per_step);
+  if (!report.flickers) return share;
   const double small = scene.accuracy.strain_per_step * scene.accuracy.strain_per_step;
   return std::min(share, std::max(safety_factor, report.strain / small));
 }

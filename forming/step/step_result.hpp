@@ -33,6 +33,7 @@ struct StepReport {
   double flux_mismatch = 0;                   ///< between heat out of the glass and into a tool, relative
   long clamped_lookups = 0;                   ///< evaluations of h outside its table
   double work_error = 0;                      ///< by which the work of the step is off, over the work lost in the run
+  bool flickers = false;                      ///< a node opens that has closed in the step before, or closes again
   double unforeseen_work = 0;                 ///< by which it would differ at the viscosity that its heat gave, J
   double unforeseen_error = 0;                ///< that over the work lost in the run
   std::vector<core::InterfacePoint> interface;  ///< in the middle of the step, where heat sees it
