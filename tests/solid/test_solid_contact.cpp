@@ -5,6 +5,7 @@
 
 #include "figure.hpp"
 #include "solid/hex_block.hpp"
+#include "solid/square_cavity.hpp"
 
 namespace parison::tests {
 namespace {
@@ -172,28 +173,10 @@ TEST(SolidContact, GlassThatAToolGripsDoesNotCreepIntoIt) {
                  (lowest - box.glass.mesh.nodes.front()[2]) / face, 4e-3);
 }
 
-/// A square cavity, open above, with round corners and heel.
-class Cavity : public contact::ToolSurface {
- public:
-  Cavity(double half, double round) : half_(half), round_(round) {}
-  contact::SurfaceGap gap(const Vector3& at) const override {
-    const Vector3 sides(std::copysign(1.0, at[0]), std::copysign(1.0, at[1]), -1);
-    const Vector3 beyond(std::abs(at[0]) - half_ + round_, std::abs(at[1]) - half_ + round_, round_ - at[2]);
-    const Vector3 corner = beyond.cwiseMax(0.0);
-    if (corner.norm() > 0) return {round_ - corner.norm(), -corner.normalized().cwiseProduct(sides)};
-    int axis = 0;
-    const double nearest = beyond.maxCoeff(&axis);
-    return {round_ - nearest, -sides[axis] * Vector3::Unit(axis)};
-  }
-
- private:
-  double half_, round_;
-};
-
 TEST(SolidContact, ARoundParisonFillsASquareMould) {
   const double round = 20e-3, wall = 6e-3, bottom = 15e-3, top = 100e-3;
   const auto material = uniform_glass(1);
-  const Cavity cavity(35e-3, 8e-3);
+  const SquareCavity cavity(35e-3, 8e-3);
   flow::SolidGlass glass = glass_of(round_parison(5, 8, 1, round, wall, bottom, top), material);
   const auto from_axis = [=](const Vector3& x) {
     return x[2] > bottom + round ? x.head<2>().norm() : (x - Vector3(0, 0, bottom + round)).norm();
