@@ -38,7 +38,7 @@ double squeeze(Index n, double length, double thin) {
 }
 
 TEST(SolidFilm, ASqueezedFilmResistsAsStefanSays) {
-  // The film is not infinitely thin: what flows at its free edge is in the error, so no order is asked.
+  // Exact is the force of a film that is infinitely thin beside its plate, so that no order is asked.
   constexpr double thin = 0.02;
   Figure error("force of a squeezed film, 12 cells a half");
   for (const auto& [length, exact] : {std::pair{1.0, 0.4217310449}, {2.0, 1.3720900627}})
