@@ -219,6 +219,16 @@ std::vector<Index> nodes_left_by_tools(const Stage& stage, const State& state) {
   return nodes;
 }
 
+/// Whether two stages have the same tools. Where they have not, the machine has opened the cavities.
+bool same_tools(const Stage& a, const Stage& b) {
+  const auto active = [](const Stage& stage) {
+    std::set<Index> tools;
+    for (const StageTool& tool : stage.tools) tools.insert(tool.tool);
+    return tools;
+  };
+  return active(a) == active(b);
+}
+
 }  // namespace
 
 RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason why, const remesh::Mesher& mesher) {
@@ -270,15 +280,6 @@ void place_under_glass(const Scene& scene, Index stage, State& state) {
 }
 
 }  // namespace
-
-bool same_tools(const Stage& a, const Stage& b) {
-  const auto active = [](const Stage& stage) {
-    std::set<Index> tools;
-    for (const StageTool& tool : stage.tools) tools.insert(tool.tool);
-    return tools;
-  };
-  return active(a) == active(b);
-}
 
 State start_stage(const Scene& scene, const State& state, Index stage) {
   State next = state;

@@ -22,7 +22,4 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
 /// released, fields follow their stage-start rule, and the boundaries that the stage names are assigned.
 State start_stage(const Scene& scene, const State& state, Index stage);
 
-/// Whether two stages have the same tools. Where they have not, the machine has opened the cavities.
-bool same_tools(const Stage& a, const Stage& b);
-
 }  // namespace parison::forming

@@ -8,11 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include "forming/remeshing/remesh_state.hpp"
 #include "forming/run/fast_glass.hpp"
 #include "forming/run/room_in_tool.hpp"
 #include "forming/solid/hand_over.hpp"
-#include "forming/solid/solid_cavities.hpp"
 #include "forming/solid/solid_end.hpp"
 #include "forming/solid/solid_step.hpp"
 #include "forming/solid/straighten.hpp"
@@ -105,8 +103,7 @@ void follow_extremes(const Scene& scene, const State& clock, const SolidState& s
   if (flags.glass_below && temperature < *flags.glass_below) extremes.glass.add_beyond(clock.time, solid.last_step);
 }
 
-/// Tries a step of length dt, s, and shorter ones up to where a condition ends the stage; `dt` is then that of the
-/// last.
+/// Tries a step of length dt, s, and shorter ones up to where a condition ends the stage; `dt` is then that of the last.
 SolidStepOutcome step_up_to_end(RunInProgress& run, double& dt, SolidState& solid, SolidWorkspace& workspace) {
   const Scene& scene = run.scene;
   const State& clock = run.outcome.state;
@@ -157,7 +154,6 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
   for (const StageTool& tool : run.scene.stages[clock.stage].tools)
     clock.tools[tool.tool].offset = tool_offset(run.scene, clock, tool.tool, clock.stage_time);
   solid.last_step = dt;
-  clock.cavity_air = whole_cavities(solid);
   follow_extremes(run.scene, clock, solid, run.outcome.facts.diagnostics.extremes);
   solid.next_step = propose_solid_step(run.scene, clock, solid, std::max(dt, rejected ? dt : solid.next_step));
   return true;
@@ -171,11 +167,6 @@ bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   clock.stage_start = clock.time;
   solid.next_step = propose_solid_step(run.scene, clock, solid, 0);
   solid.glass.velocity.resize(0);  // pressures jump between stages
-  const Stage& now = run.scene.stages[stage];
-  if (!now.trapped_air || !same_tools(run.scene.stages[stage - 1], now)) {
-    clock.cavity_air = solid.air = {};
-    solid.face_air.clear();
-  }
   notify(run, &RunObserver::stage_begins);
   return !ends_by(run, cannot_begin(run, solid));
 }

@@ -7,8 +7,8 @@
 
 #include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
-#include "forming/solid/solid_cavities.hpp"
 #include "forming/solid/solid_openings.hpp"
+#include "forming/state/interpolate.hpp"
 
 namespace parison::forming {
 
@@ -47,22 +47,6 @@ flow::SolidProblem flow_problem(const Scene& scene, const State& clock, const So
   return problem;
 }
 
-/// The air that glass and the tools of the present stage seal at the start of a step.
-SealedCavities sealed_cavities(const Scene& scene, const State& clock, const SolidState& solid, double dt) {
-  const Stage& stage = scene.stages[clock.stage];
-  std::vector<CavityTool> tools;
-  for (const SolidTool& tool : solid.tools)
-    if (stage.uses(tool.tool))
-      tools.push_back({tool.surface.get(), &scene.tools[tool.tool],
-                       tool_offset(scene, clock, tool.tool, clock.stage_time),
-                       tool_offset(scene, clock, tool.tool, clock.stage_time + dt)});
-  const auto lower = [](const Vector3& a, const Vector3& b) { return a[2] < b[2]; };
-  const auto& nodes = solid.glass.mesh.nodes;
-  const auto [lowest, highest] = std::minmax_element(nodes.begin(), nodes.end(), lower);
-  const double resting = scene.glass.flow->density * std::abs(stage.gravity) * ((*highest)[2] - (*lowest)[2]);
-  return seal_air(*stage.trapped_air, tools, dt, solid, core::size(scene.glass.profile), resting);
-}
-
 /// Contact counts the tools of a flow problem; here those of the solid.
 void count_tools_of_solid(const std::vector<std::size_t>& places, SolidState& solid) {
   for (flow::SolidContact& contact : solid.glass.contact)
@@ -73,6 +57,18 @@ void count_tools_of_flow(const std::vector<std::size_t>& places, SolidState& sol
     const auto found = std::find(places.begin(), places.end(), static_cast<std::size_t>(contact.tool));
     contact.tool = found == places.end() ? -1 : static_cast<Index>(found - places.begin());
     if (contact.tool < 0) contact.touches = false;
+  }
+}
+
+/// Forces on the tools in the middle of a step, and carried on to its end where the stage has had one before.
+void store_forces(const std::vector<std::size_t>& places, const flow::SolidStep& step, const flow::SolidGlass& before,
+                  SolidState& solid) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    SolidTool& tool = solid.tools[places[i]];
+    const double now = step.tool_forces[i][2];
+    const bool goes_on = before.velocity.size() > 0;
+    tool.end_force = goes_on ? carried_on(tool.force[2], now, step.dt / (step.dt + before.last_step)) : now;
+    tool.force = step.tool_forces[i];
   }
 }
 
@@ -96,16 +92,11 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
                             SolidWorkspace& workspace) {
   SolidStepOutcome outcome;
   std::vector<std::size_t> places;
-  flow::SolidProblem problem = flow_problem(scene, clock, solid, dt, places);
+  const flow::SolidProblem problem = flow_problem(scene, clock, solid, dt, places);
   if (!workspace.flow)
     workspace.flow = std::make_unique<flow::FlowMatrix>(solid.first_mesh, problem.planes, problem.fixed);
   const flow::SolidGlass before = solid.glass;
   count_tools_of_flow(places, solid);
-  SealedCavities sealed;
-  if (scene.stages[clock.stage].trapped_air) {
-    sealed = sealed_cavities(scene, clock, solid, dt);
-    problem.air = sealed.air;
-  }
   const Eigen::VectorXd temperature = std::exchange(solid.glass.temperature, middle_temperature(solid, dt));
   try {
     outcome.flow = flow::step_flow(problem, *workspace.flow, solid.glass, dt);
@@ -119,14 +110,13 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
     return outcome;
   }
   count_tools_of_solid(places, solid);
-  for (std::size_t i = 0; i < places.size(); ++i) solid.tools[places[i]].force = outcome.flow.tool_forces[i];
+  store_forces(places, outcome.flow, before, solid);
   outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
   if (!outcome.reason.empty()) {
     solid.glass = before;
     return outcome;
   }
   advance_openings(scene, clock, dt, before, solid);
-  if (problem.air) store_air(sealed, outcome.flow, solid);
   outcome.accepted = true;
   ++solid.totals.steps;
   solid.totals.factors += outcome.flow.factors;

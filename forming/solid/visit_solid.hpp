@@ -24,11 +24,6 @@ void visit_solid(Visitor visit, Solid& solid, const std::vector<Index>& without 
   visit("point_mass", solid.point_mass);
   visit("temperature_rate", solid.temperature_rate);
   visit("contact_opening", solid.contact_opening);
-  visit("air_volume", solid.air.volume);
-  visit("air_energy", solid.air.energy);
-  visit("air_amount", solid.air.amount);
-  visit("air_share", solid.air_share);
-  visit("face_air", solid.face_air);
   visit("last_step", solid.last_step);
   visit("next_step", solid.next_step);
   visit("heat_substep", solid.heat_substep);
@@ -50,6 +45,7 @@ void visit_solid(Visitor visit, Solid& solid, const std::vector<Index>& without 
     part("temperature", tool.temperature);
     part("mass", tool.mass);
     part("heat_received", tool.heat_received);
+    part("end_force", tool.end_force);
     for (int axis = 0; axis < 3; ++axis) part(fmt::format("force_{}", axis).c_str(), tool.force[axis]);
   }
 }

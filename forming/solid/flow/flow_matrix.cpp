@@ -113,11 +113,7 @@ Eigen::VectorXd FlowMatrix::solve(const Eigen::VectorXd& force, const Eigen::Vec
     const CellVector own = cells_[cell].divergence.transpose() * p;
     for (int n = 0; n < HexMesh::nodes_per_cell; ++n) total.segment<3>(3 * nodes_[cell][n]) += own.segment<3>(3 * n);
   }
-  return response(total) + given_;
-}
-
-Eigen::VectorXd FlowMatrix::response(const Eigen::VectorXd& force) const {
-  return numbering_.to_space(factor_.solve(numbering_.to_unknowns(force)));
+  return numbering_.to_space(factor_.solve(numbering_.to_unknowns(total))) + given_;
 }
 
 Eigen::VectorXd FlowMatrix::divergence(const Eigen::VectorXd& velocity) const {

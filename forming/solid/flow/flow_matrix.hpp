@@ -31,8 +31,6 @@ class FlowMatrix {
   /// and integrals of pressure functions times div v, m3/s, likewise.
   Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& pressure,
                         const Eigen::VectorXd& expansion) const;
-  /// Velocities, m/s, that a force adds, N, with all pressures as they are; nodes of given velocity stay.
-  Eigen::VectorXd response(const Eigen::VectorXd& force) const;
   /// Integrals of pressure functions times div v, m3/s.
   Eigen::VectorXd divergence(const Eigen::VectorXd& velocity) const;
   /// Pressures after a solution with `pressure`.

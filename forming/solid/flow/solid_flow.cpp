@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "core/solid/hex_geometry.hpp"
@@ -19,10 +18,10 @@ constexpr int most_solutions = 30, most_factors = 3;
 constexpr double friction_tolerance = 1e-6;   ///< change of the friction at its limit by a solution, over all of it
 constexpr double viscosity_tolerance = 2e-3;  ///< mean change of ln eta, of glass that thins by shear
 constexpr int most_viscosities = 12;          ///< each halves the change, about, with an exponent of 0.5
-constexpr double steady_share = 0.25;         ///< largest change of a velocity that goes on
-constexpr double worst_volume = 0.1;          ///< of a cell, beyond which a step is too long
-constexpr double least_shape = 0.02;          ///< least Jacobian of a cell over that at its centre
-constexpr double most_strain = 0.5;           ///< of a step that is not repeated
+constexpr double steady_share = 0.25;  ///< largest change of a velocity that goes on
+constexpr double worst_volume = 0.1;   ///< of a cell, beyond which a step is too long
+constexpr double least_shape = 0.02;   ///< least Jacobian of a cell over that at its centre
+constexpr double most_strain = 0.5;    ///< of a step that is not repeated
 
 HexMesh moved(const HexMesh& mesh, const Eigen::VectorXd& velocity, double time) {
   HexMesh result = mesh;
@@ -98,7 +97,6 @@ struct Motion {
   const Eigen::VectorXd& volumes;  ///< wanted at the end, m3
   double dt;
   Eigen::VectorXd velocity, pressure;
-  std::optional<SealedAir> air = {};
 
   /// What the volumes lack at the end, m3.
   Eigen::VectorXd lack() const { return volumes - core::cell_volumes(moved(start, velocity, dt)); }
@@ -121,8 +119,7 @@ struct Motion {
     for (Index cell = 0; cell < volumes.size(); ++cell)
       rate[cell] = (flux[4 * cell] + lacking[cell] / dt) / matrix.moment(cell)[0];
     const Eigen::VectorXd wanted = integrals(matrix, rate);
-    velocity = air ? air->balanced(matrix.solve(force + air->suction(), pressure, wanted))
-                   : matrix.solve(force, pressure, wanted);
+    velocity = matrix.solve(force, pressure, wanted);
     pressure = matrix.corrected_pressure(velocity, pressure, wanted);
   }
 };
@@ -148,8 +145,9 @@ void for_each_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity, const V
 double change_of_viscosity(const Carreau& law, const FlowMatrix& matrix, const HexMesh& mesh,
                            const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
   std::vector<double> factor;
-  for_each_rate(mesh, before,
-                [&](Index, double, const Eigen::Matrix3d& slope) { factor.push_back(law(squared_shear_rate(slope))); });
+  for_each_rate(mesh, before, [&](Index, double, const Eigen::Matrix3d& slope) {
+    factor.push_back(law(squared_shear_rate(slope)));
+  });
   double sum = 0, power = 0;
   std::size_t at = 0;
   for_each_rate(mesh, after, [&](Index cell, double volume, const Eigen::Matrix3d& slope) {
@@ -166,16 +164,10 @@ bool is_folded(const HexMesh& mesh) {
   return false;
 }
 
-/// Factorises with the contact that was chosen, where sealed air does not press.
-void factorise(ToolContact& contact, FlowMatrix& matrix, Motion& motion) {
-  contact.add_changes(matrix);
-  matrix.factorise();
-  if (motion.air) motion.air->expose(contact.touching(), matrix);
-}
-
 /// Solves until contact and volumes are right.
 void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& force, Motion& motion, SolidStep& step) {
-  factorise(contact, matrix, motion);
+  contact.add_changes(matrix);
+  matrix.factorise();
   int factors = 1, solutions = 0;
   Eigen::VectorXd lacking = motion.lack();
   while (solutions < most_solutions) {
@@ -186,7 +178,8 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
     step.volume_error = motion.error(lacking);
     if (!(step.volume_error <= worst_volume)) break;
     if (factors < most_factors && contact.choose() > 0) {
-      factorise(contact, matrix, motion);
+      contact.add_changes(matrix);
+      matrix.factorise();
       ++factors;
       continue;
     }
@@ -209,8 +202,7 @@ ToolContact balance_thinned(const SolidProblem& problem, FlowMatrix& matrix, con
     const Eigen::VectorXd expected = motion.velocity;
     matrix.assemble(problem, middle, glass.temperature, expected);
     ToolContact contact(problem, matrix, glass.mesh, middle, glass.temperature, expected,
-                        has_contact ? &glass.contact : nullptr, motion.dt,
-                        std::max(glass.last_step, glass.step_before));
+                        has_contact ? &glass.contact : nullptr, motion.dt);
     balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
     if (!thinning || pass == most_viscosities || !(step.volume_error <= volume_tolerance) ||
         change_of_viscosity(*thinning, matrix, middle, expected, motion.velocity) <= viscosity_tolerance)
@@ -232,14 +224,12 @@ SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass&
   if (is_folded(middle)) return step;
   const Eigen::VectorXd volumes = volumes_by_mass(*problem.material, glass);
   Motion motion{matrix, glass.mesh, volumes, dt, glass.velocity, glass.pressure};
-  if (problem.air) motion.air.emplace(problem, middle);
   const ToolContact contact = balance_thinned(problem, matrix, middle, glass, motion, step);
   step.strain = dt * strain_rate(middle, motion.velocity);
   HexMesh end = moved(glass.mesh, motion.velocity, dt);
   if (!(step.strain < most_strain) || !(step.volume_error <= volume_tolerance) || is_folded(end)) return step;
   step.accepted = true;
   step.tool_forces = contact.tool_forces();
-  if (motion.air) step.air = motion.air->ends(motion.velocity);
   glass.contact = contact.contact();
   glass.mesh.nodes = std::move(end.nodes);
   glass.velocity_before = std::exchange(glass.velocity, std::move(motion.velocity));

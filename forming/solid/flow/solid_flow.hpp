@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "forming/solid/flow/flow_matrix.hpp"
-#include "forming/solid/flow/sealed_air.hpp"
 
 namespace parison::flow {
 
@@ -16,7 +15,6 @@ struct SolidStep {
   int factors = 0, solutions = 0;
   double volume_error = 0;           ///< of the worst cell, as a share of it
   std::vector<Vector3> tool_forces;  ///< on each tool, N
-  std::vector<AirPocketEnd> air;     ///< the pockets of SolidProblem::air
 };
 
 /// The volume of each cell, m3, by its mass and the density at its temperature.

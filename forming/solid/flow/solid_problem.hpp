@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Core>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "contact/solid/tool_surface.hpp"
 #include "core/solid/hex_mesh.hpp"
-#include "forming/flow/air/trapped_air.hpp"
 #include "forming/flow/material.hpp"
 
 namespace parison::flow {
@@ -32,14 +30,7 @@ struct SolidTool {
   Friction friction;
 };
 
-/// The air in sealed cavities during a step; `behind` is by contact face.
-struct SolidAir : TrappedAir {
-  std::vector<double> tool_rate;    ///< of each pocket's volume by the motion of tools, m3/s
-  std::vector<double> opens_below;  ///< by contact face: pressure of contact below which glass comes off its tool, Pa
-};
-
-/// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without
-/// inertia.
+/// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without inertia.
 struct SolidProblem {
   const Material* material;
   std::function<double(const Vector3&)> viscosity;  ///< Pa.s at a position; none: the material's by temperature
@@ -51,7 +42,6 @@ struct SolidProblem {
   std::vector<HexFace> open_faces;     ///< with surface tension
   std::vector<HexFace> contact_faces;  ///< that may touch a tool
   std::vector<SolidTool> tools;
-  std::optional<SolidAir> air;  ///< none: all cavities are vented
 };
 
 /// The square of the shear rate, 2 D:D, 1/s2, of a velocity with this gradient, 1/s.

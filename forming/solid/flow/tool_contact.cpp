@@ -21,8 +21,7 @@ constexpr double stiffness_factor = 50;
 constexpr double tolerated_share = 1e-3;
 /// A point that would pass through the tool by less than this share of a face lands in the next step.
 constexpr double passed_share = 2e-2;
-/// What a step leaves of the depth, beyond that share, to which glass has passed into a tool. One shorter than those
-/// before leaves more: at once the way out would take a force that goes with one over the step.
+/// What a step leaves of the depth, beyond that share, to which glass has passed into a tool.
 constexpr double kept_depth = 0.5;
 constexpr double bearable_tension = 2;  ///< share of the mean pressure of contact
 /// So few changes, as a share of the points that touch, wait for the next step: a factor each would give the same
@@ -65,8 +64,8 @@ void ToolContact::nearest(const Vector3& at, double time, Point& point) const {
 
 ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start,
                          const HexMesh& middle, const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
-                         const std::vector<SolidContact>* before, double dt, double step_before)
-    : problem_(&problem), start_(&start), dt_(dt), pace_(step_before > dt ? dt / step_before : 1) {
+                         const std::vector<SolidContact>* before, double dt)
+    : problem_(&problem), start_(&start), dt_(dt) {
   double fastest = largest(velocity), highest = 0;
   for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
   for (const auto& [faces, pressure] : problem.pressures) highest = std::max(highest, std::abs(pressure));
@@ -80,7 +79,6 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
     Point point;
     point.face = static_cast<Index>(f);
     point.size = std::sqrt(area);
-    point.opens_below = problem.air ? problem.air->opens_below[f] : 0;
     point.stiffness =
         std::max(stiffness_factor * matrix.mean_viscosity(face.cell), highest * dt / tolerated_share) / point.size;
     for (const auto& at : mapped) {
@@ -108,7 +106,7 @@ void ToolContact::expect(Point& point) const {
                point.start_gap <= grip_reach;
   point.tolerated = point.tied ? point.start_gap : std::min(point.start_gap, 0.0);
   if (const double deeper = point.tolerated + tolerated_share * point.size; deeper < 0)
-    point.tolerated -= (1 - kept_depth) * pace_ * deeper;
+    point.tolerated -= (1 - kept_depth) * deeper;
   if (point.tool < 0) return;
   const auto& [surface, offset, velocity, friction] = problem_->tools[point.tool];
   const double landed =
@@ -208,8 +206,7 @@ Index ToolContact::choose() {
   std::vector<Point> chosen = points_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     Point& point = chosen[k];
-    point.touches = point.tied || (point.touches ? pressure(point) > point.opens_below - bearable
-                                                 : point.gap < -passed_share * point.size);
+    point.touches = point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
     if (point.touches) slide(point, pressure(point));
     changed += point.touches != points_[k].touches || point.slides != points_[k].slides;
     touching += point.touches;
@@ -257,17 +254,11 @@ std::vector<SolidContact> ToolContact::contact() const {
   std::vector<SolidContact> all = all_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Point& point = points_[k];
-    const bool presses = point.touches && pressure(point) > point.opens_below;
     const double p = point.tied && point.tool >= 0 ? pressure(point) : std::max(pressure(point), 0.0);
+    const bool presses = point.touches && p > 0;
     all[place_[k]] = {point.tool, point.gap, point.touches ? p : 0, presses || point.tied, point.touches && !presses};
   }
   return all;
-}
-
-std::vector<bool> ToolContact::touching() const {
-  std::vector<bool> touches(all_.size(), false);
-  for (std::size_t k = 0; k < points_.size(); ++k) touches[static_cast<std::size_t>(place_[k])] = points_[k].touches;
-  return touches;
 }
 
 std::vector<Vector3> ToolContact::tool_forces() const {

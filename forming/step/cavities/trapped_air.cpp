@@ -7,7 +7,6 @@
 #include "core/mesh/tolerances.hpp"
 #include "forming/flow/contact/constraints.hpp"
 #include "forming/step/cavities/air_cavities.hpp"
-#include "forming/step/cavities/shared_air.hpp"
 #include "forming/step/contact/contact_geometry.hpp"
 
 namespace parison::forming {
@@ -43,8 +42,14 @@ std::vector<Index> tools_in_contact(const Scene& scene, const State& state) {
   return tools;
 }
 
-AirOrigin origin_of(const AirCavity& cavity, const core::Mesh& mesh, const CavityAir& before, double reach) {
-  AirOrigin origin{std::vector<double>(before.volume.size(), 0.0), 0};
+/// Shares of a cavity's exposed edges that belonged to each earlier cavity, and to the open.
+struct Origin {
+  std::vector<double> cavity;
+  double open = 0;
+};
+
+Origin origin_of(const AirCavity& cavity, const core::Mesh& mesh, const CavityAir& before, double reach) {
+  Origin origin{std::vector<double>(before.volume.size(), 0.0), 0};
   const double share = 1.0 / double(cavity.edges.size());
   for (const Index e : cavity.edges) {
     const Point& x = mesh.nodes[mesh.boundary_edges()[e].nodes[2]];
@@ -71,27 +76,50 @@ bool is_supplied(const AirCavity& cavity, const core::Mesh& mesh, const Stage& s
 /// The sealed cavities that hold their air, and the air of the step's start in each.
 struct Sealed {
   std::vector<AirCavity> cavities;
-  AirShares air;
+  std::vector<double> energy, amount;
 };
+
+/// Divides the air of earlier cavities among those that have their surface, by volume. A cavity that comes from the
+/// open has air of the stage, one that comes from contact none.
+void share_air(const std::vector<Origin>& origins, const CavityAir& before, const TrappedAirLaw& law, Sealed& sealed) {
+  const std::size_t count = sealed.cavities.size();
+  for (std::size_t i = 0; i < count; ++i)
+    sealed.energy.push_back(origins[i].open * law.ambient * sealed.cavities[i].volume);
+  sealed.amount = sealed.energy;
+  for (std::size_t k = 0; k < before.volume.size(); ++k) {
+    double all = 0;
+    for (std::size_t i = 0; i < count; ++i) all += origins[i].cavity[k] * sealed.cavities[i].volume;
+    for (std::size_t i = 0; all > 0 && i < count; ++i) {
+      const double part = origins[i].cavity[k] * sealed.cavities[i].volume / all;
+      sealed.energy[i] += part * before.energy[k];
+      sealed.amount[i] += part * before.amount[k];
+    }
+  }
+}
+
+/// Whether a cavity has opened in contact alone, so that it holds no air.
+bool is_void(const Origin& origin, const CavityAir& before) {
+  double energy = origin.open;
+  for (std::size_t k = 0; k < origin.cavity.size(); ++k) energy += origin.cavity[k] * before.energy[k];
+  return energy == 0;
+}
 
 Sealed sealed_cavities(const Scene& scene, const State& state, const ExposedGlass& glass, const TrappedAirLaw& law) {
   const double chord = scene.accuracy.surface_size,
                sagitta = core::tolerance::at_tool * core::size(scene.glass.profile);
   const auto outlines = tool_outlines(outlined_tools(scene, state), scene.geometry, chord, sagitta);
   Sealed sealed;
-  std::vector<AirOrigin> origins;
-  std::vector<double> volumes;
+  std::vector<Origin> origins;
   for (auto& cavity : air_cavities(glass, outlines, Index(scene.tools.size()), law.seal_gap)) {
     if (is_supplied(cavity, glass.mesh, scene.stages[state.stage])) continue;
     const double thin = roughness * core::size(scene.glass.profile) * cavity.exposed_area;
-    AirOrigin origin = origin_of(cavity, glass.mesh, state.cavity_air, scene.accuracy.surface_size);
+    Origin origin = origin_of(cavity, glass.mesh, state.cavity_air, scene.accuracy.surface_size);
     if (cavity.volume < thin && !is_void(origin, state.cavity_air)) continue;
     cavity.volume = std::max(cavity.volume, 1e-6 * thin);
-    volumes.push_back(cavity.volume);
     sealed.cavities.push_back(std::move(cavity));
     origins.push_back(std::move(origin));
   }
-  sealed.air = share_air(origins, volumes, state.cavity_air, law);
+  share_air(origins, state.cavity_air, law, sealed);
   return sealed;
 }
 
@@ -124,10 +152,10 @@ void seal_air(StepStart& start) {
   for (std::size_t i = 0; i < sealed.cavities.size(); ++i) {
     AirCavity& cavity = sealed.cavities[i];
     for (const Index e : cavity.edges) start.air->behind[e] = static_cast<Index>(i);
-    start.air->pockets.push_back({cavity.volume, sealed.air.energy[i], law.exponent,
-                                  sealed.air.energy[i] > 0 ? vent : 0, std::move(cavity.tool_area)});
+    start.air->pockets.push_back(
+        {cavity.volume, sealed.energy[i], law.exponent, sealed.energy[i] > 0 ? vent : 0, std::move(cavity.tool_area)});
   }
-  start.air_amount = std::move(sealed.air.amount);
+  start.air_amount = std::move(sealed.amount);
 }
 
 void store_air(const StepStart& start, const flow::Solution& solution, State& state) {
@@ -135,7 +163,11 @@ void store_air(const StepStart& start, const flow::Solution& solution, State& st
   air = {};
   for (std::size_t i = 0; i < solution.pockets.size(); ++i) {
     const auto& pocket = solution.pockets[i];
-    add_cavity(start.air->pockets[i], start.air_amount[i], pocket.volume, pocket.outflow, air);
+    const auto& first = start.air->pockets[i];
+    air.volume.push_back(std::max(pocket.volume, 1e-6 * first.volume));
+    const double sealed = first.energy * std::pow(first.volume / air.volume.back(), first.exponent - 1);
+    air.energy.push_back(std::max(0.0, sealed - first.exponent * pocket.outflow));
+    air.amount.push_back(std::max(0.0, start.air_amount[i] - pocket.outflow));
   }
   const core::Mesh& mesh = start.state.glass.mesh;
   for (std::size_t e = 0; e < solution.exposed.size(); ++e) {

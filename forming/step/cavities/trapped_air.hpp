@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/flow/solution.hpp"
 #include "forming/state/state.hpp"
-#include "forming/step/cavities/shared_air.hpp"
 #include "forming/step/step_start.hpp"
 
 namespace parison::forming {
+
+inline constexpr double gas_constant_of_air = 287.05;  ///< J/(kg K)
 
 /// Finds the sealed cavities at the start of a step and the air in each.
 void seal_air(StepStart& start);
