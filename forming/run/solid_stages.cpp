@@ -103,7 +103,8 @@ void follow_extremes(const Scene& scene, const State& clock, const SolidState& s
   if (flags.glass_below && temperature < *flags.glass_below) extremes.glass.add_beyond(clock.time, solid.last_step);
 }
 
-/// Tries a step of length dt, s, and shorter ones up to where a condition ends the stage; `dt` is then that of the last.
+/// Tries a step of length dt, s, and shorter ones up to where a condition ends the stage; `dt` is then that of the
+/// last.
 SolidStepOutcome step_up_to_end(RunInProgress& run, double& dt, SolidState& solid, SolidWorkspace& workspace) {
   const Scene& scene = run.scene;
   const State& clock = run.outcome.state;

@@ -131,8 +131,8 @@ void refuse_closed_film(const Scene& scene, double dt, StepResult& result) {
 /// too long; what else ends a stage is not predicted.
 double up_to_end(const Scene& scene, const State& before, const StepResult& result, double dt) {
   const double beyond_rest = -time_to_rest(scene, result.state);
-  const double share = share_until_end(scene.stages[result.state.stage], end_measure(scene, before),
-                                       end_measure(scene, result.state));
+  const double share =
+      share_until_end(scene.stages[result.state.stage], end_measure(scene, before), end_measure(scene, result.state));
   return shortened_to_end(dt, std::max(beyond_rest < dt ? beyond_rest : 0, (1 - share) * dt), result.state.next_step);
 }
 

@@ -17,18 +17,9 @@ using core::Vector3;
 template <typename Work>
 void for_surface_points(const SolidState& solid, const Work& work) {
   for (std::size_t f = 0; f < solid.faces.size(); ++f)
-    for (const core::HexFacePoint& point :
-         core::map_hex_face(core::face_nodes(solid.glass.mesh, solid.faces[f]), solid.faces[f],
-                            flow::contact_points_along))
+    for (const core::HexFacePoint& point : core::map_hex_face(core::face_nodes(solid.glass.mesh, solid.faces[f]),
+                                                              solid.faces[f], flow::contact_points_along))
       work(f, point);
-}
-
-/// Of the whole turn, N.
-double largest_force(const Stage& stage, const SolidState& solid) {
-  double largest = 0;
-  for (const SolidTool& tool : solid.tools)
-    if (stage.uses(tool.tool)) largest = std::max(largest, std::abs(tool.end_force) / solid.share);
-  return largest;
 }
 
 double mean_surface_temperature(const SolidState& solid) {
@@ -75,7 +66,7 @@ EndMeasure end_measure(const Scene& scene, const State& clock, double stage_time
     const Stage& stage = scene.stages[clock.stage];
     switch (end.kind) {
       case EndCondition::Kind::force:
-        return largest_force(stage, solid);
+        break;  // who reads a case refuses it
       case EndCondition::Kind::filled:
         return share_near_tools(scene, clock, stage_time, solid, end.within);
       case EndCondition::Kind::surface_below:

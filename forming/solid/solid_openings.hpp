@@ -14,8 +14,8 @@ void take_openings(const Scene& scene, const State& state, SolidState& solid);
 void set_opening(const Scene& scene, const SolidState& solid, const Interface& interface, std::size_t point,
                  double temperature, contact::ContactState& contact);
 
-/// Advances the openings over a step, s, that the glass began as `before`, as advance_openings of round glass does: with
-/// `clock` at its start, but for the tools, which it places.
+/// Advances the openings over a step, s, that the glass began as `before`, as advance_openings of round glass does:
+/// with `clock` at its start, but for the tools, which it places.
 void advance_openings(const Scene& scene, const State& clock, double dt, const flow::SolidGlass& before,
                       SolidState& solid);
 

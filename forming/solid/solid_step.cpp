@@ -8,7 +8,6 @@
 #include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
 #include "forming/solid/solid_openings.hpp"
-#include "forming/state/interpolate.hpp"
 
 namespace parison::forming {
 
@@ -60,18 +59,6 @@ void count_tools_of_flow(const std::vector<std::size_t>& places, SolidState& sol
   }
 }
 
-/// Forces on the tools in the middle of a step, and carried on to its end where the stage has had one before.
-void store_forces(const std::vector<std::size_t>& places, const flow::SolidStep& step, const flow::SolidGlass& before,
-                  SolidState& solid) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    SolidTool& tool = solid.tools[places[i]];
-    const double now = step.tool_forces[i][2];
-    const bool goes_on = before.velocity.size() > 0;
-    tool.end_force = goes_on ? carried_on(tool.force[2], now, step.dt / (step.dt + before.last_step)) : now;
-    tool.force = step.tool_forces[i];
-  }
-}
-
 /// The temperatures expected in the middle of a step, at which the glass flows.
 Eigen::VectorXd middle_temperature(const SolidState& solid, double dt) {
   if (solid.temperature_rate.size() == 0) return solid.glass.temperature;
@@ -110,7 +97,7 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
     return outcome;
   }
   count_tools_of_solid(places, solid);
-  store_forces(places, outcome.flow, before, solid);
+  for (std::size_t i = 0; i < places.size(); ++i) solid.tools[places[i]].force = outcome.flow.tool_forces[i];
   outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
   if (!outcome.reason.empty()) {
     solid.glass = before;

@@ -45,7 +45,6 @@ void visit_solid(Visitor visit, Solid& solid, const std::vector<Index>& without 
     part("temperature", tool.temperature);
     part("mass", tool.mass);
     part("heat_received", tool.heat_received);
-    part("end_force", tool.end_force);
     for (int axis = 0; axis < 3; ++axis) part(fmt::format("force_{}", axis).c_str(), tool.force[axis]);
   }
 }

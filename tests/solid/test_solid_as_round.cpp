@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
-#include "figure.hpp"
+#include "forming/run/checkpoint.hpp"
 #include "forming/run/run.hpp"
 #include "forming/scene_text.hpp"
 #include "forming/solid/solid_state.hpp"
@@ -12,7 +13,8 @@
 namespace parison::forming {
 namespace {
 
-const std::string disc = "case = \"disc\"\ngeometry = \"axisymmetric\"\n" + container_glass("1.3 W/m/K") + iron + R"([glass]
+const std::string disc =
+    "case = \"disc\"\ngeometry = \"axisymmetric\"\n" + container_glass("10 W/m/K") + iron + R"([glass]
 material = "glass"
 temperature = "950 degC"
 boundary = [
@@ -23,7 +25,7 @@ boundary = [
 name = "plate"
 material = "iron"
 temperature = "450 degC"
-friction = "stick"
+friction = "slip"
 boundary = [
   { name = "top", path = "(40, 0) (0, 0) mm", condition = "contact" },
   { name = "axis", path = "(0, -10) mm", condition = "symmetry" },
@@ -33,7 +35,7 @@ boundary = [
 name = "plunger"
 material = "iron"
 temperature = "450 degC"
-friction = "stick"
+friction = "slip"
 position = "8.1 mm"
 boundary = [
   { name = "face", path = "(0, 0) (40, 0) mm", condition = "contact" },
@@ -47,12 +49,14 @@ h = "2000 W/m2/K"
 [[stage]]
 name = "rest"
 duration = "50 ms"
+gravity = "-9.81 m/s2"
 tools = ["plate"]
 [[stage]]
 name = "press"
 duration = "0.2 s"
+gravity = "-9.81 m/s2"
 tools = ["plate", "plunger"]
-motion.plunger = { offset = [["0 s", "8.1 mm"], ["0.2 s", "6.6 mm"]] }
+motion.plunger = { offset = [["0 s", "8.1 mm"], ["0.2 s", "7 mm"]] }
 )";
 
 /// Of the whole turn, at the end.
@@ -62,38 +66,44 @@ struct Pressed {
 };
 
 Pressed pressed(const std::string& text) {
-  const Scene scene = scene_of(text, "draft coarser 2");
+  Scene scene = scene_of(text, "draft coarser 2");
+  scene.accuracy.max_step = 2e-3;  // the force is that of the middle of the last step
   const RunOutcome outcome = run(scene);
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;
-  Pressed result{outcome.facts.stages.back().end_reason, outcome.facts.stages.back().end, 0, 0, 0};
+  Pressed result{outcome.facts.stages.back().end_reason, outcome.facts.stages.back().end};
   if (!outcome.solid) {
     const ToolState& plunger = outcome.state.tools[1];
-    result.force = plunger.end_force;
+    result.force = plunger.force;
     result.heat = plunger.heat_received;
     for (const Point& x : outcome.state.glass.mesh.nodes) result.radius = std::max(result.radius, x[0]);
     return result;
   }
   const SolidState& solid = *outcome.solid;
-  result.force = -solid.tools[1].end_force / solid.share;
+  result.force = -solid.tools[1].force[2] / solid.share;
   result.heat = solid.tools[1].heat_received / solid.share;
   for (const core::Vector3& x : solid.glass.mesh.nodes) result.radius = std::max(result.radius, x.head<2>().norm());
   return result;
 }
 
-/// Both runs of a case; their ends agree within `allowed`, the heat of the round one too, and their ways of ending.
-Pressed expect_as_round(const std::string& what, const std::string& text, double allowed) {
+std::string in_space(const std::string& text) {
+  return replaced("name = \"press\"\n", "name = \"press\"\nsolid = { sector = \"90 deg\" }\n", text);
+}
+
+/// Both runs of a case: how and when they end, the force, the heat and the glass there agree.
+Pressed expect_as_round(const std::string& what, const std::string& text) {
   const Pressed round = pressed(text);
-  const Pressed solid = pressed(replaced("name = \"press\"\n", "name = \"press\"\nsolid = { sector = \"90 deg\" }\n", text));
-  fmt::print("{}: round {} at {:.5f} s, {:.4g} N, {:.5g} J, {:.5g} mm; in space {} at {:.5f} s, {:.4g} N, {:.5g} J, {:.5g} mm\n",
-             what, round.end_reason, round.end, round.force, round.heat, 1e3 * round.radius, solid.end_reason, solid.end,
-             solid.force, solid.heat, 1e3 * solid.radius);
+  const Pressed solid = pressed(in_space(text));
+  fmt::print(
+      "{}: round {} at {:.5f} s, {:.4g} N, {:.5g} J, {:.5g} mm; in space {} at {:.5f} s, {:.4g} N, {:.5g} J, {:.5g} "
+      "mm\n",
+      what, round.end_reason, round.end, round.force, round.heat, 1e3 * round.radius, solid.end_reason, solid.end,
+      solid.force, solid.heat, 1e3 * solid.radius);
   EXPECT_EQ(round.end_reason, solid.end_reason) << what;
-  tests::Figure off("disc pressed in space against the round run, " + what + ": force, heat, radius and time off by");
-  off.add(std::abs(solid.end / round.end - 1));
-  off.add(std::abs(solid.force / round.force - 1));
-  off.add(std::abs(solid.heat / round.heat - 1));
-  off.add(std::abs(solid.radius / round.radius - 1));
-  off.at_most(allowed);
+  constexpr double allowed = 0.025;  // with cells twice as long as at draft
+  EXPECT_NEAR(solid.end, round.end, allowed * round.end) << what;
+  EXPECT_NEAR(solid.force, round.force, allowed * std::abs(round.force)) << what;
+  EXPECT_NEAR(solid.heat, round.heat, allowed * round.heat) << what;
+  EXPECT_NEAR(solid.radius, round.radius, allowed * round.radius) << what;
   return solid;
 }
 
@@ -101,32 +111,74 @@ std::string with(const std::string& from, const std::string& to, const std::stri
   return replaced(from, to, text);
 }
 
+std::string ending(const std::string& condition) {
+  return with("duration = \"0.2 s\"", "duration = \"0.2 s\"\nend = { " + condition + " }");
+}
+
 TEST(SolidAsRound, a_stage_in_space_ends_by_each_condition_when_the_round_one_does) {
-  for (const std::string end : {"force = \"1 kN\"", "filled = \"72 %\"", "surface_below = \"830 degC\""})
-    EXPECT_NE(expect_as_round("end by " + end.substr(0, end.find(' ')),
-                              with("duration = \"0.2 s\"", "duration = \"0.2 s\"\nend = { " + end + " }"), 0.02)
-                  .end_reason,
-              "duration");
+  const std::string cold = "surface_below = \"900 degC\"";
+  EXPECT_EQ(expect_as_round(cold, ending(cold)).end_reason, "surface below its temperature");
+  // Where the plunger lands the share jumps, by a step in each run.
+  const std::string filled = ending("filled = \"60 %\", within = \"0.02 mm\"");
+  const Pressed round = pressed(filled), solid = pressed(in_space(filled));
+  EXPECT_EQ(round.end_reason, "mould filled");
+  EXPECT_EQ(solid.end_reason, "mould filled");
+  EXPECT_NEAR(solid.end, round.end, 2e-3);
 }
 
 TEST(SolidAsRound, glass_that_thins_by_shear) {
   const std::string thinning =
-      with("viscosity = { law", "shear_thinning = { time = \"0.05 s\", exponent = 0.4 }\nviscosity = { law");
+      with("viscosity = { law", "shear_thinning = { time = \"0.5 s\", exponent = 0.4 }\nviscosity = { law");
   const double plain = pressed(disc).force;
-  EXPECT_LT(std::abs(expect_as_round("shear thinning", thinning, 0.02).force), 0.8 * std::abs(plain));
+  EXPECT_LT(std::abs(expect_as_round("shear thinning", thinning).force), 0.95 * std::abs(plain));
 }
 
 TEST(SolidAsRound, friction_at_coulombs_limit) {
-  const std::string slides = "friction = { law = \"navier\", coefficient = \"1e8 Pa.s/m\", coulomb = 0.05 }";
-  const std::string plate = with("friction = \"stick\"", slides);
-  const double sticking = pressed(disc).force;
-  EXPECT_LT(std::abs(expect_as_round("Coulomb", with("friction = \"stick\"", slides, plate), 0.02).force),
-            0.9 * std::abs(sticking));
+  const std::string slides = "friction = { law = \"navier\", coefficient = \"1e8 Pa.s/m\", coulomb = 0.1 }";
+  const std::string plate = with("friction = \"slip\"", slides);
+  const double free = pressed(disc).force;
+  EXPECT_GT(std::abs(expect_as_round("Coulomb", with("friction = \"slip\"", slides, plate)).force),
+            1.1 * std::abs(free));
 }
 
+const std::string constant = "law = \"constant\"\nh = \"2000 W/m2/K\"";
+
 TEST(SolidAsRound, contact_by_the_law_of_a_gap) {
-  const std::string gap = with("law = \"constant\"\nh = \"2000 W/m2/K\"", "law = \"gap\"");
-  expect_as_round("gap", gap, 0.02);
+  expect_as_round("gap", with(constant, "law = \"gap\""));
+}
+
+/// Keeps the last checkpoint within a stage in space.
+struct Keeper : RunObserver {
+  std::string folder;
+  bool has_kept = false;
+  explicit Keeper(std::string where) : folder(std::move(where)) {}
+  void checkpoint_possible(const RunView& view, bool at_stage_boundary) override {
+    if (!view.solid || at_stage_boundary) return;
+    write_checkpoint(folder, view.scene, {{view.state, view.facts, view.solid}, {}});
+    has_kept = true;
+  }
+};
+
+TEST(SolidAsRound, a_run_taken_up_again_in_space_is_the_same_to_the_last_bit) {
+  std::string text =
+      with("friction = \"slip\"", "friction = { law = \"navier\", coefficient = \"1e8 Pa.s/m\", coulomb = 0.2 }");
+  text = with(constant, "law = \"gap\"", text);
+  text = with("duration = \"0.2 s\"",
+              "duration = \"0.2 s\"\nsolid = { sector = \"90 deg\" }\nend = { surface_below = \"850 degC\" }", text);
+  const Scene scene = scene_of(text, "draft coarser 2");
+  Keeper keeper(tests::folder_of_test("kept").string());
+  std::filesystem::create_directories(keeper.folder);
+  const RunOutcome whole = run(scene, {&keeper});
+  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
+  ASSERT_TRUE(keeper.has_kept);
+  const RunOutcome again = resume(scene, read_checkpoint(find_checkpoint(keeper.folder), scene).outcome);
+  EXPECT_EQ(again.facts.stages.back().end, whole.facts.stages.back().end);
+  EXPECT_EQ(again.facts.stages.back().end_reason, "surface below its temperature");
+  const SolidState &one = *whole.solid, &other = *again.solid;
+  EXPECT_EQ(one.glass.mesh.nodes, other.glass.mesh.nodes);
+  EXPECT_EQ(one.glass.temperature, other.glass.temperature);
+  EXPECT_EQ(one.contact_opening, other.contact_opening);
+  EXPECT_GT(one.contact_opening.maxCoeff(), 0);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ SmoothSolid write_step(const std::string& path, const SolidState& solid) {
 }
 
 double write_stl(const std::string& path, const SolidState& solid) {
-  constexpr int pieces = 4;  // along a face
+  constexpr int pieces = 6;  // along a face
   const Copies copies(solid);
   Triangles triangles;
   for (const core::HexFace& face : solid.faces) {

@@ -95,6 +95,8 @@ void check_solid_stage(const Stage& stage, const CaseNode& node) {
   };
   if (stage.cools) refuse("a stage of cooling after the mould");
   if (stage.trapped_air) refuse("trapped air");
+  for (const EndCondition& end : stage.ends)
+    if (end.kind == EndCondition::Kind::force) refuse("a force that ends the stage");
   for (const StageTool& tool : stage.tools)
     if (std::holds_alternative<ForceMotion>(tool.motion)) refuse("a tool that a force drives");
   for (const auto& [name, pressure] : stage.pressure)

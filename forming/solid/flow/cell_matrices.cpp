@@ -69,7 +69,8 @@ void compute_cell(const SolidProblem& problem, const CellState& cell, HexMatrice
     gradients.col(q) = Eigen::Map<const CellVector>(point.gradient.data());
     volume[q] = point.volume;
     if (problem.material->shear_thinning)
-      viscosity[q] *= (*problem.material->shear_thinning)(squared_shear_rate(cell.velocity * point.gradient.transpose()));
+      viscosity[q] *=
+          (*problem.material->shear_thinning)(squared_shear_rate(cell.velocity * point.gradient.transpose()));
     pressure.col(q) << 1, rule.at[q].array() - 0.5;
   }
   weighted = gradients * (viscosity * volume).matrix().asDiagonal();

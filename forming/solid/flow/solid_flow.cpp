@@ -18,10 +18,10 @@ constexpr int most_solutions = 30, most_factors = 3;
 constexpr double friction_tolerance = 1e-6;   ///< change of the friction at its limit by a solution, over all of it
 constexpr double viscosity_tolerance = 2e-3;  ///< mean change of ln eta, of glass that thins by shear
 constexpr int most_viscosities = 12;          ///< each halves the change, about, with an exponent of 0.5
-constexpr double steady_share = 0.25;  ///< largest change of a velocity that goes on
-constexpr double worst_volume = 0.1;   ///< of a cell, beyond which a step is too long
-constexpr double least_shape = 0.02;   ///< least Jacobian of a cell over that at its centre
-constexpr double most_strain = 0.5;    ///< of a step that is not repeated
+constexpr double steady_share = 0.25;         ///< largest change of a velocity that goes on
+constexpr double worst_volume = 0.1;          ///< of a cell, beyond which a step is too long
+constexpr double least_shape = 0.02;          ///< least Jacobian of a cell over that at its centre
+constexpr double most_strain = 0.5;           ///< of a step that is not repeated
 
 HexMesh moved(const HexMesh& mesh, const Eigen::VectorXd& velocity, double time) {
   HexMesh result = mesh;
@@ -145,9 +145,8 @@ void for_each_rate(const HexMesh& mesh, const Eigen::VectorXd& velocity, const V
 double change_of_viscosity(const Carreau& law, const FlowMatrix& matrix, const HexMesh& mesh,
                            const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
   std::vector<double> factor;
-  for_each_rate(mesh, before, [&](Index, double, const Eigen::Matrix3d& slope) {
-    factor.push_back(law(squared_shear_rate(slope)));
-  });
+  for_each_rate(mesh, before,
+                [&](Index, double, const Eigen::Matrix3d& slope) { factor.push_back(law(squared_shear_rate(slope))); });
   double sum = 0, power = 0;
   std::size_t at = 0;
   for_each_rate(mesh, after, [&](Index cell, double volume, const Eigen::Matrix3d& slope) {
@@ -202,7 +201,8 @@ ToolContact balance_thinned(const SolidProblem& problem, FlowMatrix& matrix, con
     const Eigen::VectorXd expected = motion.velocity;
     matrix.assemble(problem, middle, glass.temperature, expected);
     ToolContact contact(problem, matrix, glass.mesh, middle, glass.temperature, expected,
-                        has_contact ? &glass.contact : nullptr, motion.dt);
+                        has_contact ? &glass.contact : nullptr, motion.dt,
+                        std::max(glass.last_step, glass.step_before));
     balance(contact, matrix, loads(problem, matrix, middle, glass.cell_mass), motion, step);
     if (!thinning || pass == most_viscosities || !(step.volume_error <= volume_tolerance) ||
         change_of_viscosity(*thinning, matrix, middle, expected, motion.velocity) <= viscosity_tolerance)

@@ -30,7 +30,8 @@ struct SolidTool {
   Friction friction;
 };
 
-/// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without inertia.
+/// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without
+/// inertia.
 struct SolidProblem {
   const Material* material;
   std::function<double(const Vector3&)> viscosity;  ///< Pa.s at a position; none: the material's by temperature

@@ -21,7 +21,8 @@ constexpr double stiffness_factor = 50;
 constexpr double tolerated_share = 1e-3;
 /// A point that would pass through the tool by less than this share of a face lands in the next step.
 constexpr double passed_share = 2e-2;
-/// What a step leaves of the depth, beyond that share, to which glass has passed into a tool.
+/// What a step leaves of the depth, beyond that share, to which glass has passed into a tool. One shorter than those
+/// before leaves more: at once the way out would take a force that goes with one over the step.
 constexpr double kept_depth = 0.5;
 constexpr double bearable_tension = 2;  ///< share of the mean pressure of contact
 /// So few changes, as a share of the points that touch, wait for the next step: a factor each would give the same
@@ -64,8 +65,8 @@ void ToolContact::nearest(const Vector3& at, double time, Point& point) const {
 
 ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start,
                          const HexMesh& middle, const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
-                         const std::vector<SolidContact>* before, double dt)
-    : problem_(&problem), start_(&start), dt_(dt) {
+                         const std::vector<SolidContact>* before, double dt, double step_before)
+    : problem_(&problem), start_(&start), dt_(dt), pace_(step_before > dt ? dt / step_before : 1) {
   double fastest = largest(velocity), highest = 0;
   for (const SolidTool& tool : problem.tools) fastest = std::max(fastest, tool.velocity.norm());
   for (const auto& [faces, pressure] : problem.pressures) highest = std::max(highest, std::abs(pressure));
@@ -106,7 +107,7 @@ void ToolContact::expect(Point& point) const {
                point.start_gap <= grip_reach;
   point.tolerated = point.tied ? point.start_gap : std::min(point.start_gap, 0.0);
   if (const double deeper = point.tolerated + tolerated_share * point.size; deeper < 0)
-    point.tolerated -= (1 - kept_depth) * deeper;
+    point.tolerated -= (1 - kept_depth) * pace_ * deeper;
   if (point.tool < 0) return;
   const auto& [surface, offset, velocity, friction] = problem_->tools[point.tool];
   const double landed =
@@ -206,7 +207,8 @@ Index ToolContact::choose() {
   std::vector<Point> chosen = points_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     Point& point = chosen[k];
-    point.touches = point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
+    point.touches =
+        point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
     if (point.touches) slide(point, pressure(point));
     changed += point.touches != points_[k].touches || point.slides != points_[k].slides;
     touching += point.touches;

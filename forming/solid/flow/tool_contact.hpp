@@ -15,10 +15,10 @@ namespace parison::flow {
 class ToolContact {
  public:
   /// For a step `dt`, s, from `start` with the balance of forces at `middle`. `velocity` is expected, three for each
-  /// node, m/s: by it the points that touch are chosen.
+  /// node, m/s: by it the points that touch are chosen. `step_before`: length of the longer of the last two, s.
   ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& start, const HexMesh& middle,
               const Eigen::VectorXd& temperature, const Eigen::VectorXd& velocity,
-              const std::vector<SolidContact>* before, double dt);
+              const std::vector<SolidContact>* before, double dt, double step_before);
 
   /// Looks at the end of the step with another velocity.
   void look(const Eigen::VectorXd& velocity);
@@ -45,12 +45,12 @@ class ToolContact {
     double temperature = 0;                  ///< K
     Vector3 slide_target = Vector3::Zero();  ///< velocity that friction pulls to, m/s
     bool tied = false, touches = false, was_released = false;
-    std::optional<double> coulomb;  ///< most of the shear stress over the pressure
-    double pressure_before = 0;     ///< at the end of the last step, Pa
-    bool slides = false;            ///< at that limit
-    Vector3 slides_along = Vector3::Zero();       ///< unit vector in which it then does
-    double secant = 0;                            ///< shear stress over slip there, Pa.s/m
-    Vector3 limit_friction = Vector3::Zero();     ///< at the last two velocities looked at, Pa
+    std::optional<double> coulomb;             ///< most of the shear stress over the pressure
+    double pressure_before = 0;                ///< at the end of the last step, Pa
+    bool slides = false;                       ///< at that limit
+    Vector3 slides_along = Vector3::Zero();    ///< unit vector in which it then does
+    double secant = 0;                         ///< shear stress over slip there, Pa.s/m
+    Vector3 limit_friction = Vector3::Zero();  ///< at the last two velocities looked at, Pa
     Vector3 limit_friction_before = Vector3::Zero();
     // At the velocity looked at: the nearest tool, and the gap to it at the end of the step.
     Index tool = -1;
@@ -72,6 +72,7 @@ class ToolContact {
   const SolidProblem* problem_;
   const HexMesh* start_;
   double dt_;
+  double pace_;                    ///< of the step over those before, at most 1
   std::vector<Point> points_;      ///< that may touch
   std::vector<Index> place_;       ///< of each in contact()
   std::vector<SolidContact> all_;  ///< as at the start of the step

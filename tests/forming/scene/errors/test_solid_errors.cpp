@@ -53,11 +53,20 @@ TEST(SolidErrors, a_mould_narrower_than_the_blank_in_one_direction) {
               "90 deg from the plane y = 0");
 }
 
+TEST(SolidErrors, what_round_stages_have_is_taken_in_space_too) {
+  for (const char* text :
+       {"stage.blow.end={ filled = \"99 %\" }",
+        "interface.0={ tools = [\"ring\", \"plate\", \"blank\", \"plunger\", \"blow_mould\"], law = \"gap\" }",
+        "tool.blow_mould.friction={ law = \"navier\", coefficient = \"1e8 Pa.s/m\", coulomb = 0.3 }",
+        "material.flint.shear_thinning={ time = \"1 ms\", exponent = 0.5 }"})
+    EXPECT_EQ(complaint_about_jar({text}), "") << text;
+}
+
 TEST(SolidErrors, what_is_not_computed_in_space_is_named) {
-  expect_part("stage.blow.end={ filled = \"99 %\" }", "a condition that ends the stage early was found");
+  expect_part("stage.reheat.motion.ring={ force = \"1 N\", speed_limit = \"1 mm/s\" }",
+              "a tool that a force drives was found");
+  expect_part("stage.blow.end={ force = \"1 kN\" }", "a force that ends the stage was found");
   expect_part("stage.hold.trapped_air={ law = \"isothermal\", temperature = \"500 degC\" }", "trapped air was found");
-  expect_part("interface.0={ tools = [\"ring\", \"plate\", \"blank\", \"plunger\", \"blow_mould\"], law = \"gap\" }",
-              "a contact law with a gap was found");
 }
 
 }  // namespace
