@@ -29,7 +29,7 @@ def rewritten(case, folder, data):
 
 def divided(stages):
     """The stages with the longest one whose loads do not change in two of half the length; None where there is none."""
-    steady = [s for s in stages if "duration" in s and not any(k in s for k in ("motion", "pressure")) and
+    steady = [s for s in stages if "duration" in s and not any(k in s for k in ("motion", "pressure", "name_boundary")) and
               not any(k.startswith("end") for k in s)]
     if not steady:
         return None
