@@ -188,10 +188,6 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
   step.solutions += solutions;
 }
 
-}  // namespace
-
-namespace {
-
 /// Balances forces with the viscosity at the velocities that come out: by iterates with that of the ones before.
 ToolContact balance_thinned(const SolidProblem& problem, FlowMatrix& matrix, const HexMesh& middle,
                             const SolidGlass& glass, Motion& motion, SolidStep& step) {
