@@ -45,7 +45,9 @@ export function caseEditor(place) {
   async function write() {
     if (sending) return;
     sending = true;
-    while (typed) {
+    let again = typed;
+    while (again) {
+      again = false; // what is typed meanwhile has its own rest
       typed = false;
       const text = view.state.doc.toString();
       try {
@@ -58,7 +60,7 @@ export function caseEditor(place) {
         if (error.status !== 422) break; // the next key, or the next look, tries again
         const now = await ask("case", { case: name });
         const kept = now.text === text ? text : await choose(now.text, text);
-        typed = kept !== now.text;
+        again = typed = kept === text && view.state.doc.toString() !== now.text;
         base = now.version;
         if (!typed && name === model.name) takeCase(now);
       }
