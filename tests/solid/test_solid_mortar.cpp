@@ -87,7 +87,7 @@ TEST(SolidMortar, boxes_of_other_cells_pass_the_exact_heat_whichever_is_coarser)
 
 TEST(SolidMortar, boxes_twisted_against_each_other_pass_the_exact_heat) {
   tests::Figure flux("heat through boxes twisted against each other: off by"),
-      jump("temperatures of their faces over the jump: off by");
+      jump("temperatures of twisted faces over the jump: off by");
   for (const auto& [n_glass, n_tool] : {std::pair{4, 3}, {2, 5}, {5, 2}}) {
     Pile pile(n_glass, n_tool, 0.3, 6);
     EXPECT_NEAR(area_of(pile.problem.interface), side * side, 1e-12 * side * side);

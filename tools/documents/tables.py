@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The text of each marked block: a function for each name, of the stored figures alone."""
 import math
-import re
 import sys
 import tomllib
 
-from documents import store
+from documents import store, verified
 from documents.store import ROOT, benchmark
 
 
@@ -187,43 +186,8 @@ def calculix():
                   ["its own step control", f"{benchmark('calculix.own_control'):.0f}", "100"]])
 
 
-def shown(value, unit):
-    return digits(value) + (f" {unit}" if unit else "")
-
-
-SIGNS = {"at most": "≤", "at least": "≥"}
-
-
-def same(words, others):
-    """How many words both begin with."""
-    return next((i for i, pair in enumerate(zip(words, others)) if pair[0] != pair[1]), min(len(words), len(others)))
-
-
-def below(what, above):
-    """The text of a row in which "…" stands for words that it begins or ends with as the row above does, three at least. At the begin they
-    are left out up to a comma or colon where there is one, else but for the last."""
-    if what.startswith("the same: "):
-        return "… " + what.removeprefix("the same: ")
-    words, others = what.split(), above.split()
-    alike = begin = same(words, others)
-    marked = [i for i in range(3, begin + 1) if words[i - 1][-1] in ",:"]
-    begin = marked[-1] if marked else begin - 1
-    begin = begin if 1 < begin < len(words) else 0
-    end = min(same(words[::-1], others[::-1]), len(words) - alike - 1)
-    end = end if end > 2 else 0
-    return " ".join(["…"] * (begin > 0) + words[begin:len(words) - end] + ["…"] * (end > 0))
-
-
 def verification():
-    """Errors are told without "off by", required values have the unit of the measured ones, and a test is named in its first row."""
-    rows, last, above = [], "", ""
-    for figure in store.verification():
-        test = figure["test"].removeprefix("test_").removesuffix(".*")
-        what = re.sub(r"[:,]? off by( at most)?$", "", figure["what"].strip())
-        required = "" if figure["bound"] is None else f"{SIGNS[figure['sense']]} {figure['bound']:g}"
-        rows.append(["" if test == last else f"`{test}`", below(what, above if test == last else ""), shown(figure["measured"], figure["unit"]), required])
-        last, above = test, what
-    return table(["test", "error, or what is named", "measured", "required"], rows)
+    return table(["test", "error: measured (required)"], verified.rows(digits)) + "\n\n" + verified.identities()
 
 
 def expected():
@@ -245,24 +209,26 @@ def allowed_of(values):
     if len(values) > 1 and all(map(math.isfinite, (bound for _, bounds, _ in values for bound in bounds))):
         return ", ".join(f"{(low + high) / 2:.6g}" for _, (low, high), _ in values) + f" ± {(values[0][1][1] - values[0][1][0]) / 2:.3g}"
     allowed = "; ".join(dict.fromkeys(text for _, _, text in values))
-    for text, sign in SIGNS.items():
-        allowed = allowed.replace(text, sign)
+    for text, sign in verified.SIGNS.items():
+        allowed = allowed.replace(f"{text} ", sign)
     return allowed
 
 
 def expectations():
-    """A case is named in its first row; a column at several times is one row."""
+    """A row for each case, a line for each expectation; a column at several times is one line."""
     grouped = {}
     for case, label, found, bounds, allowed in expected():
         column, _, time = label.partition(" at ")
-        grouped.setdefault((case, column), []).append((time.removesuffix(" s"), (found, bounds, allowed)))
-    rows, last = [], ""
-    for (case, column), values in grouped.items():
-        times = ", ".join(time for time, _ in values if time)
-        what = f"`{column}`" + (f" at {times} s" if times else "")
-        rows.append(["" if case == last else case, what, ", ".join(digits(found, 4) for _, (found, _, _) in values), allowed_of([of for _, of in values])])
-        last = case
-    return table(["case", "what", "measured", "allowed"], rows)
+        grouped.setdefault(case, {}).setdefault(column, []).append((time.removesuffix(" s"), (found, bounds, allowed)))
+    rows = []
+    for case, columns in grouped.items():
+        lines = []
+        for column, values in columns.items():
+            times = ", ".join(time for time, _ in values if time)
+            measured = ", ".join(digits(found, 4) for _, (found, _, _) in values)
+            lines.append(f"`{column}`" + (f" at {times} s" if times else "") + f": **{measured}** ({allowed_of([of for _, of in values])})")
+        rows.append([case, "<br>".join(lines)])
+    return table(["case", "measured (allowed)"], rows)
 
 
 def outside():
