@@ -116,8 +116,8 @@ def assumed():
     studies = {case: stored(case) for case in CONTAINERS}
     columns = [(case, kind) for case in CONTAINERS for kind, (name, _) in EFFECTS.items() if name in studies[case]["quantities"]]
     strength = lambda one: -max(abs(size) * is_seen for size, is_seen, _ in (effect(studies[case], kind, one["name"]) for case, kind in columns))
-    rows = [[one["what"], one["range"], one["source"], *(shown(effect(studies[case], kind, one["name"])) for case, kind in columns)]
-            for one in sorted(given()["constant"], key=strength)]
+    seen = [one for one in sorted(given()["constant"], key=strength) if strength(one)]
+    rows = [[one["what"], one["range"], one["source"], *(shown(effect(studies[case], kind, one["name"])) for case, kind in columns)] for one in seen]
     least, whole = ["least that these runs show", "", ""], ["all together, two standard deviations", "", ""]
     for case, kind in columns:
         name, unit = EFFECTS[kind]
@@ -126,7 +126,8 @@ def assumed():
         least.append(digits(max(unseen)) if unseen else "")
         whole.append(f"± {digits(quantity['tolerance_bar'] * (1 if unit == 'K' else 100 / quantity['mean']))}")
     heads = [f"{case}: {kind}, {EFFECTS[kind][1]}" for case, kind in columns]
-    return table(["assumed", "range (bundled)", "source", *heads], [*rows, least, whole])
+    unseen = [f"{one['what']} ({one['range']}; {one['source']})" for one in given()["constant"] if one not in seen]
+    return table(["assumed", "range (bundled)", "source", *heads], [*rows, least, whole]) + "\n\nNothing above the scatter: " + "; ".join(unseen) + "."
 
 
 def hanging():

@@ -66,12 +66,11 @@ def scene_bars():
 
 def noise():
     stored = store.read(store.BENCHMARKS, "tools/bench noise container_noise --save")
-    walls = sorted(key for key in stored if key.startswith("noise.") and not key.endswith(".worst") and "/" not in key)
+    walls = sorted(key.removesuffix(".worst") for key in stored if key.startswith("noise.") and key.endswith(".worst"))
     kinds = list(dict.fromkeys(key.split("/")[1] for key in stored if key.startswith("noise.") and "/" in key))
-    cell = lambda key: percent(key) if key in stored else ""
-    rows = [[", ".join(reversed([part.replace("_", " ") for part in wall.split(".")[1:]])), cell(wall), cell(f"{wall}.worst"),
-             *(cell(f"{wall}/{kind}") for kind in kinds)] for wall in walls]
-    return table(["wall of", "all places", "worst place", *kinds], rows)
+    rows = [[", ".join(reversed(wall.split(".")[1:])), *(percent(wall + of) for of in ("", ".worst", ".within_bars", *(f"/{kind}" for kind in kinds)))]
+            for wall in walls]
+    return table(["wall of", "all places", "worst place", "quantities within bars", *kinds], rows)
 
 
 def asked_accuracies():
@@ -89,23 +88,12 @@ def difference_bars():
     return table(["kind", "changes", "counted", "inside", "over the sum of both bars, median", "real", "real with the wrong sign"], rows)
 
 
-def difference_costs():
-    found = store.read(store.DIFFERENCE_COSTS, "tests/difference_costs --store")
-    return table(["what", "measured"], [[line["what"], line["measured"]] for line in found])
-
-
-def production_costs():
-    found = store.read(store.PRODUCTION_COSTS, "tests/production_costs --store")
-    return table(["what", "measured"], [[line["what"], line["measured"]] for line in found])
-
-
-def sweep_costs():
-    found = store.read(store.SWEEP_COSTS, "tests/sweep_costs --store")
-    return table(["what", "wanted", "measured"], [[line["what"], line["wanted"], line["measured"]] for line in found])
-
-
-def slurm_costs():
-    return table(["what", "measured, simulated"], [[line["what"], line["measured"]] for line in store.read(store.SLURM_COSTS, "tests/slurm_costs --store")])
+def costs(path, command, columns=("measured",)):
+    """A table of what a test has measured; a block may name its rows by their numbers."""
+    def rows(*numbers):
+        found = store.read(path, f"tests/{command} --store")
+        return table(["what", *columns], [[line["what"], *(line[column] for column in columns)] for line in ([found[int(i)] for i in numbers] or found)])
+    return rows
 
 
 def coverage():
@@ -134,7 +122,7 @@ def model():
 
 
 def radiation_models():
-    """Cheaper models of radiation against transfer in each scene, what the other cases expect of it, and what they cost."""
+    """Cheaper models of radiation against transfer in each scene, how far a case goes beyond all others, and what they cost."""
     scenes = store.read(store.CALIBRATION, "tools/bench models --save")["radiation_models"]["scenes"]
     models = list(scenes[0]["models"])
     worst = lambda found, model: max(max(scene["models"][model][key] for key in ("thickness", "heat")) for scene in found)
@@ -142,11 +130,9 @@ def radiation_models():
     for scene in scenes:
         off = [" / ".join(digits(100 * scene["models"][model][key]) for key in ("thickness", "heat")) for model in models]
         rows.append([f"{scene['case']} of {scene['glass']}", *off, digits(100 * scene["noise"])])
-    for case in dict.fromkeys(scene["case"] for scene in scenes):
-        others = [scene for scene in scenes if scene["case"] != case]
-        own = [scene for scene in scenes if scene["case"] == case]
-        rows.append([f"expected of the {case} by the others, and found"]
-                    + [f"{digits(100 * worst(others, model))}, {digits(100 * worst(own, model))}" for model in models] + [""])
+    left_out = [max(worst([scene for scene in scenes if scene["case"] == case], model) / worst([scene for scene in scenes if scene["case"] != case], model)
+                    for case in dict.fromkeys(scene["case"] for scene in scenes)) for model in models]
+    rows.append(["any case over the worst of the others, at the most", *(digits(ratio) for ratio in left_out), ""])
     rows.append(["the worst of all: the error that counts"] + [digits(100 * worst(scenes, model)) for model in models] + [""])
     mean = [math.exp(sum(math.log(scene["models"][model]["cost"]) for scene in scenes) / len(scenes)) for model in models]
     rows.append(["CPU time over that by `transfer`", *(digits(cost) for cost in mean), ""])
@@ -272,13 +258,9 @@ def in_space(case, *names):
 
 def cost(case, *names):
     """Steps, remeshes and CPU time, without names of all runs but those that compare models; shared machines scatter."""
-    rows = []
-    for name in names or store.own_runs(case):
-        run = store.run(case, name)
-        whole = sum(run["timing"].values())
-        shares = [f"{part} {100 * seconds / whole:.0f}" for part, seconds in run["timing"].items() if seconds > 0.005 * whole]
-        rows.append([name.replace("_", " "), str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"]), ", ".join(shares)])
-    return table(["run", "steps", "remeshes", "CPU, s, one thread", "of the time, %"], rows)
+    runs = {name: store.run(case, name) for name in names or store.own_runs(case)}
+    rows = [[name.replace("_", " "), str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"])] for name, run in runs.items()]
+    return table(["run", "steps", "remeshes", "CPU, s, one thread"], rows)
 
 
 def wall(case, *names):
@@ -343,20 +325,18 @@ def heat_of(run, kind):
     return 1e-3 * sum(tool.get(kind, 0) for tool in run["tools"].values())
 
 
-def radiation(case, *cases):
+def radiation(case):
     """What the model of radiation changes at draft: wall, heat of the tools, mean skin at the ends of stages, CPU time."""
     rows = []
-    for each in cases or (case,):
-        for model, label in MODELS.items():
-            run = store.run(each, f"light_{model}")
-            off = "" if model == "enclosure" else against(run, store.run(each, "light_enclosure"))
-            received, radiated, seen = (heat_of(run, kind) for kind in ("heat_received_J", "heat_radiated_J", "heat_from_enclosure_J"))
-            skins = ", ".join(f"{stage['name']} {stage['skin_mean_degC']:.0f}" for stage in run["stages"]
-                              if "skin_mean_degC" in stage and stage["name"] in ("press", "settle_blow", "counter_blow", "dwell", "reheat"))
-            rows.append([*([each] if cases else []), label, f"{run['thickness']['min_mm']:.2f}, {run['thickness']['mean_mm']:.2f}", off,
-                         f"{received - radiated:.1f}", f"{radiated:.1f}" if radiated else "", f"{seen:.1f}" if seen else "", skins,
-                         digits(run["cpu_seconds"])])
-    return table([*(["case"] if cases else []), "radiation", "wall: least, mean, mm", "wall off: mean, largest", "conducted into tools, kJ", "light into them, kJ",
+    for model, label in MODELS.items():
+        run = store.run(case, f"light_{model}")
+        off = "" if model == "enclosure" else against(run, store.run(case, "light_enclosure"))
+        received, radiated, seen = (heat_of(run, kind) for kind in ("heat_received_J", "heat_radiated_J", "heat_from_enclosure_J"))
+        skins = ", ".join(f"{stage['name']} {stage['skin_mean_degC']:.0f}" for stage in run["stages"]
+                          if "skin_mean_degC" in stage and stage["name"] in ("press", "dwell", "reheat"))
+        rows.append([label, f"{run['thickness']['min_mm']:.2f}, {run['thickness']['mean_mm']:.2f}", off, f"{received - radiated:.1f}",
+                     f"{radiated:.1f}" if radiated else "", f"{seen:.1f}" if seen else "", skins, digits(run["cpu_seconds"])])
+    return table(["radiation", "wall: least, mean, mm", "wall off: mean, largest", "conducted into tools, kJ", "light into them, kJ",
                   "light to their open surfaces, kJ", "mean skin at the end of, degC", "CPU, s"], rows)
 
 
@@ -368,35 +348,9 @@ def against(run, reference):
     return f"{digits(100 * sum(off) / len(off))} %, {digits(100 * max(off))} %"
 
 
-def heat_by_tool(case):
-    """Heat of each tool by model of radiation: conducted and, where there is light, radiated."""
-    rows = []
-    for model, label in MODELS.items():
-        row = [label]
-        for tool in store.run(case, f"light_{model}")["tools"].values():
-            light = 1e-3 * tool.get("heat_radiated_J", 0)
-            row.append(f"{1e-3 * tool['heat_received_J'] - light:.1f}" + (f" + {light:.1f}" if light else ""))
-        rows.append(row)
-    return table(["kJ conducted + radiated"] + [tool.replace("_", " ") for tool in store.run(case, "light_enclosure")["tools"]], rows)
-
-
-def light_bands(case):
-    """Mean wall in six parts of the outer side by model of radiation."""
-    return bands(case, *(f"light_{model}" for model in MODELS))
-
-
 def blank_end(case, name):
     (end,) = [stage for stage in store.run(case, name)["stages"] if stage["name"] == "dwell"]
     return end
-
-
-def blank_heat(case):
-    """Heat out of the glass in the blank, and its mean at the end of the dwell, by model of radiation."""
-    rows = []
-    for model, label in MODELS.items():
-        end = blank_end(case, f"light_{model}")
-        rows.append([label, f"{1e-3 * end['heat_to_tools_J']:.1f}", f"{1e-3 * end['heat_to_air_J']:.1f}", f"{end['glass_mean_degC']:.0f}"])
-    return table(["radiation", "heat to tools by the end of the dwell, kJ", "to air and surroundings, kJ", "mean of the glass then, degC"], rows)
 
 
 def blank_slopes(case):
@@ -439,5 +393,7 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, difference_costs, production_costs, sweep_costs, slurm_costs, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, in_space, cost, wall, dwell, radiation, heat_by_tool, light_bands, blank_heat, blank_slopes, press, laps, sagging, shell, bands)}
+BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
+BLOCKS |= {"difference_costs": costs(store.DIFFERENCE_COSTS, "difference_costs"), "production_costs": costs(store.PRODUCTION_COSTS, "production_costs"),
+           "sweep_costs": costs(store.SWEEP_COSTS, "sweep_costs", ("wanted", "measured")), "slurm_costs": costs(store.SLURM_COSTS, "slurm_costs")}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, in_space, cost, wall, dwell, radiation, blank_slopes, press, laps, sagging, shell, bands)}
