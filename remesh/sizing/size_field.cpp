@@ -151,7 +151,7 @@ double cell_count(const Mesh& old, const SizeField& size) {
   return count;
 }
 
-/// What the error of the solution asks for inside, where that is finer than the size there without anything else.
+/// What the criteria ask for inside, where that is finer than the size there without anything else.
 void add_target_cell_sizes(const Mesh& old, const Criteria& criteria, std::vector<SizeSource>& sources) {
   for (std::size_t cell = 0; cell < criteria.target_cell_size.size(); ++cell) {
     const double target_size = std::max(criteria.target_cell_size[cell], criteria.min_size);

@@ -27,7 +27,7 @@ struct Criteria {
   std::vector<core::Point> keep;          ///< tool corners, m; the surface gets a vertex where it passes one
   /// For each old node the edge length that the thermal skin requires, m; infinite where there is none.
   std::vector<double> target_skin_size;
-  /// For each old cell the edge length that the error of the solution requires, m; may be empty.
+  /// For each old cell the edge length that a start temperature which varies requires, m; may be empty.
   std::vector<double> target_cell_size = {};
   double min_film_thickness = 0;  ///< films of at least this thickness have all their elements across, m
   /// Approximate limit of the number of cells; where it is exceeded, all edge lengths grow by the same factor.
@@ -44,7 +44,7 @@ struct Surface {
 };
 
 /// Size field of the new mesh from the largest surface edge, the wall thickness, the curvature, the thermal skin and
-/// the error of the solution.
+/// the sizes of cells.
 SizeField size_field(const core::Mesh& old, const Criteria& criteria);
 
 /// Whether a surface that passes a corner of a tool closely is led into it.
