@@ -53,7 +53,7 @@ def bars():
     rows = [["true errors inside their bars", percent("bars.inside")],
             ["bars at most five times the larger of the true error and 0.01 %", percent("bars.narrow_resolved")],
             ["bars at most five times the true error", percent("bars.narrow")]]
-    rows += [[f"bars over true errors, root mean square: {kind}", digits(benchmark(f"bars.{kind}"))] for kind in kinds]
+    rows += [["bars over true errors, root mean square", "; ".join(f"{kind} {digits(benchmark(f'bars.{kind}'))}" for kind in kinds)]]
     return table(["what", "measured"], rows)
 
 
