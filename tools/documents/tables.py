@@ -200,10 +200,17 @@ def allowed_of(values):
     return allowed
 
 
+BALANCES = ("volume_drift", "max_volume_drift", "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "solid.largest_volume_error",
+            "solid.heat_imbalance")
+
+
 def expectations():
-    """A row for each case, a line for each expectation; a column at several times is one line."""
-    grouped = {}
+    """A row for each case, a line for each expectation; a column at several times is one line. Of balances that nearest to its limit."""
+    grouped, balances = {}, []
     for case, label, found, bounds, allowed in expected():
+        if label in BALANCES:
+            balances.append((found / bounds[1], f"`{label}` of {case}: {digits(found)} ({allowed})"))
+            continue
         column, _, time = label.partition(" at ")
         grouped.setdefault(case, {}).setdefault(column, []).append((time.removesuffix(" s"), (found, bounds, allowed)))
     rows = []
@@ -214,7 +221,7 @@ def expectations():
             measured = ", ".join(digits(found, 4) for _, (found, _, _) in values)
             lines.append(f"`{column}`" + (f" at {times} s" if times else "") + f": **{measured}** ({allowed_of([of for _, of in values])})")
         rows.append([case, "<br>".join(lines)])
-    return table(["case", "measured (allowed)"], rows)
+    return table(["case", "measured (allowed)"], rows) + f"\n\nOf {len(balances)} balances, drifts and penetrations the nearest to its limit is {max(balances)[1]}."
 
 
 def outside():
@@ -256,22 +263,16 @@ def in_space(case, *names):
                   "CPU, s, one thread"], rows)
 
 
-def cost(case, *names):
-    """Steps, remeshes and CPU time, without names of all runs but those that compare models; shared machines scatter."""
-    runs = {name: store.run(case, name) for name in names or store.own_runs(case)}
-    rows = [[name.replace("_", " "), str(run["steps"]), str(run["remeshes"]), digits(run["cpu_seconds"])] for name, run in runs.items()]
-    return table(["run", "steps", "remeshes", "CPU, s, one thread"], rows)
-
-
 def wall(case, *names):
-    """Wall, glass and balances of several runs side by side."""
+    """Wall, glass, balances and cost of several runs side by side; shared machines scatter."""
     runs = [store.run(case, name) for name in names]
     rows = [["wall: thinnest, mean, thickest, mm"] + [", ".join(f"{r['thickness'][k]:.2f}" for k in ("min_mm", "mean_mm", "max_mm"))
                                                       for r in runs],
             ["glass at the end: mean, coldest, hottest, degC"] +
             [", ".join(f"{r['glass'][f'temperature_{k}_degC']:.0f}" for k in ("mean", "min", "max")) for r in runs],
             *(against_fine_rows(case, names) if "fine" in store.RUNS[case] else []),
-            ["work balance, largest imbalance"] + [f"{digits(100 * r['max_work_imbalance'])} %" for r in runs]]
+            ["work balance, largest imbalance"] + [f"{digits(100 * r['max_work_imbalance'])} %" for r in runs],
+            ["steps; remeshes; CPU, s, one thread"] + [f"{r['steps']}; {r['remeshes']}; {digits(r['cpu_seconds'])}" for r in runs]]
     return table([""] + list(names), rows)
 
 
@@ -396,4 +397,4 @@ def shell(case, *names):
 BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
 BLOCKS |= {"difference_costs": costs(store.DIFFERENCE_COSTS, "difference_costs"), "production_costs": costs(store.PRODUCTION_COSTS, "production_costs"),
            "sweep_costs": costs(store.SWEEP_COSTS, "sweep_costs", ("wanted", "measured")), "slurm_costs": costs(store.SLURM_COSTS, "slurm_costs")}
-CASE_BLOCKS = {function.__name__: function for function in (stages, tools, in_space, cost, wall, dwell, radiation, blank_slopes, press, laps, sagging, shell, bands)}
+CASE_BLOCKS = {function.__name__: function for function in (stages, tools, in_space, wall, dwell, radiation, blank_slopes, press, laps, sagging, shell, bands)}
