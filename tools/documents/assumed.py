@@ -106,28 +106,34 @@ def effect(study, kind, constant):
 
 
 def shown(found):
-    if not found[1]:
+    if not found or not found[1]:
         return "–"
     return f"{found[0]:+.0f}" if abs(found[0]) >= 9.95 else f"{found[0]:+.2g}"
 
 
+def least(study, kind):
+    """What the widest scatter of the constants that are not seen would hide."""
+    unseen = [found[2] for one in given()["constant"] if (found := effect(study, kind, one["name"])) and not found[1]]
+    return digits(max(unseen)) if unseen else "–"
+
+
+def whole(study, kind):
+    name, unit = EFFECTS[kind]
+    quantity = study["quantities"].get(name)
+    return f"±{digits(quantity['tolerance_bar'] * (1 if unit == 'K' else 100 / quantity['mean']))}" if quantity else "–"
+
+
 def assumed():
-    """Every assumed constant with its range, its source and what half of the range moves."""
-    studies = {case: stored(case) for case in CONTAINERS}
-    columns = [(case, kind) for case in CONTAINERS for kind, (name, _) in EFFECTS.items() if name in studies[case]["quantities"]]
-    strength = lambda one: -max(abs(size) * is_seen for size, is_seen, _ in (effect(studies[case], kind, one["name"]) for case, kind in columns))
-    seen = [one for one in sorted(given()["constant"], key=strength) if strength(one)]
-    rows = [[one["what"], one["range"], one["source"], *(shown(effect(studies[case], kind, one["name"])) for case, kind in columns)] for one in seen]
-    least, whole = ["least that these runs show", "", ""], ["all together, two standard deviations", "", ""]
-    for case, kind in columns:
-        name, unit = EFFECTS[kind]
-        quantity = studies[case]["quantities"][name]
-        unseen = [effect(studies[case], kind, one["name"])[2] for one in given()["constant"] if not effect(studies[case], kind, one["name"])[1]]
-        least.append(digits(max(unseen)) if unseen else "")
-        whole.append(f"± {digits(quantity['tolerance_bar'] * (1 if unit == 'K' else 100 / quantity['mean']))}")
-    heads = [f"{case}: {kind}, {EFFECTS[kind][1]}" for case, kind in columns]
+    """Every assumed constant with its range, its source and what half of the range moves, in all containers."""
+    studies = [stored(case) for case in CONTAINERS]
+    cells = lambda of: [", ".join(dict.fromkeys(texts) if set(texts) == {"–"} else texts) for kind in EFFECTS if (texts := [of(study, kind) for study in studies])]
+    strength = lambda one: max(abs(found[0]) * found[1] for study in studies for kind in EFFECTS if (found := effect(study, kind, one["name"])))
+    seen = [one for one in sorted(given()["constant"], key=strength, reverse=True) if strength(one)]
+    rows = [[one["what"], one["range"], one["source"], *cells(lambda study, kind: shown(effect(study, kind, one["name"])))] for one in seen]
+    rows += [["least that these runs show", "", "", *cells(least)], ["all together, two standard deviations", "", "", *cells(whole)]]
     unseen = [f"{one['what']} ({one['range']}; {one['source']})" for one in given()["constant"] if one not in seen]
-    return table(["assumed", "range (bundled)", "source", *heads], [*rows, least, whole]) + "\n\nNothing above the scatter: " + "; ".join(unseen) + "."
+    heads = [f"{kind}, {unit}: {', '.join(CONTAINERS)}" for kind, (_, unit) in EFFECTS.items()]
+    return table(["assumed", "range (bundled)", "source", *heads], rows) + "\n\nNothing above the scatter: " + "; ".join(unseen) + "."
 
 
 def hanging():

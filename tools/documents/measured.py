@@ -42,23 +42,19 @@ def store_laws(found):
     (FOLDER / "contact_law" / "figures.json").write_text(json.dumps(stored.rounded(found), indent=1) + "\n")
 
 
-def verdict(row, value):
-    if not row["low"]:
-        return ""
-    return "inside" if float(row["low"]) <= value <= float(row["high"]) else "**outside**"
-
-
 def rows(name):
+    """The points of a case that it computes; a value outside what is allowed says so."""
     computed = figures(name)["computed"]
     for row in points(name):
         if key(row) in computed:
-            unit = f" {row['unit']}" if row["unit"] else ""
+            value, unit = computed[key(row)], f" {row['unit']}" if row["unit"] else ""
             allowed = f"{row['low']} to {row['high']}{unit}" if row["low"] else ""
+            outside = allowed and not float(row["low"]) <= value <= float(row["high"])
             yield [key(row) + (" s" if row["at"] else ""), published(row) + unit if published(row) else "", row["grade"], allowed,
-                   digits(computed[key(row)], 4 if computed[key(row)] >= 100 else 3) + unit, verdict(row, computed[key(row)])]
+                   digits(value, 4 if value >= 100 else 3) + unit + (" **outside**" if outside else "")]
 
 
-HEADER = ["what", "published", "grade", "allowed", "computed", ""]
+HEADER = ["what", "published", "grade", "allowed", "computed"]
 
 
 def measured(name):
