@@ -64,7 +64,8 @@ def measured(name):
 
 def measured_cases(*names):
     """Of all cases the values that have a range."""
-    return table(["case", *HEADER], [[f"[{name}]({name}/README.md)", *row] for name in names for row in rows(name) if row[3]])
+    of = {name: [row for row in rows(name) if row[3]] for name in names}
+    return table(["case", *HEADER], [["" if i else f"[{name}]({name}/README.md)", *row] for name, found in of.items() for i, row in enumerate(found)])
 
 
 RANGES = {"exponent in the time of contact": (0.42, 0.54), "exponent in (gob - tool), end of the settling": (None, 1.5),
