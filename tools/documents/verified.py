@@ -43,32 +43,31 @@ def stand_together(figures):
     return begin + end >= LEAST and all(0 < len(part) <= LONGEST and not any(word[-1] == ":" for word in part[:-1]) for part in parts)
 
 
-def groups(figures):
+def groups(lines, fit=lambda lines: True):
     found = []
-    for figure in figures:
-        longer = found and [*found[-1], figure]
-        if longer and stand_together(longer) and (len(longer) == 2 or shared(longer) == shared(longer[:-1])):
-            found[-1].append(figure)
+    for line in lines:
+        longer = found and [*found[-1], line]
+        if longer and fit(longer) and stand_together(longer) and (len(longer) == 2 or shared(longer) == shared(longer[:-1])):
+            found[-1].append(line)
         else:
-            found.append([figure])
+            found.append([line])
     return found
 
 
-def title(figures):
-    """The name of figures that stand together: what differs is told in the place where it does."""
-    first = figures[0]["words"]
-    if len(figures) == 1:
-        return " ".join(first)
-    begin, end = shared(figures)
-    parts = [" ".join(figure["words"][begin:len(figure["words"]) - end]) for figure in figures]
+def title(lines):
+    """The words of lines that stand together: what differs is told in the place where it does."""
+    first = lines[0]["words"]
+    if len(lines) == 1:
+        return first
+    begin, end = shared(lines)
+    parts = [" ".join(line["words"][begin:len(line["words"]) - end]) for line in lines]
     mark = parts[0][-1] if parts[0][-1] in ",:" and all(part[-1] == parts[0][-1] for part in parts) else ""
     parts = [part.rstrip(",:") for part in parts]
-    return " ".join([*first[:begin], ("; " if any("," in part for part in parts) else ", ").join(parts) + mark, *first[len(first) - end:]])
+    return [*first[:begin], *(("; " if any("," in part for part in parts) else ", ").join(parts) + mark).split(), *first[len(first) - end:]]
 
 
-def below(what, above):
+def below(words, others):
     """The name of a line in which "…" stands for words that it begins with, up to a comma or colon, or ends with as the line above does."""
-    words, others = what.split(), above.split()
     alike = same(words, others)
     begin = next((i for i in range(min(alike, len(words) - 1), LEAST - 1, -1) if words[i - 1][-1] in ",:"), 0)
     end = min(same(words[::-1], others[::-1]), len(words) - alike - 1)
@@ -85,32 +84,48 @@ def alike(texts):
     return ", ".join(dict.fromkeys(texts) if len(set(texts)) == 1 else texts)
 
 
-def item(figures, above, digits):
-    """A line of figures that stand together: name, measured values, limits."""
+def line_of(figures, digits):
+    """Figures that stand together as one line: words, measured values with their units, limits."""
     units = [figure["unit"] for figure in figures]
     values = [digits(figure["measured"]) for figure in figures]
     if len(set(units)) > 1:
-        values = [f"{value} {unit}".strip() for value, unit in zip(values, units)]
-        units = [""]
-    bounds = ["" if figure["bound"] is None else SIGNS[figure["sense"]] + limit(figure["bound"]) for figure in figures]
-    required = f" ({alike([bound or 'none' for bound in bounds])})" if any(bounds) else ""
-    return f"{below(title(figures), above)}: **{', '.join(values)}**" + f" {units[0]}".rstrip() + required
+        values, units = [f"{value} {unit}".strip() for value, unit in zip(values, units)], [""]
+    limits = alike([SIGNS[figure["sense"]] + limit(figure["bound"]) for figure in figures])
+    return {"words": title(figures), "values": ", ".join(values), "unit": units[0], "limits": limits}
+
+
+def same_limits(lines):
+    return all(line[key] == lines[0][key] for line in lines for key in ("unit", "limits"))
+
+
+def lines_of(figures, digits):
+    """The lines of a test, those with the same limits put together once more."""
+    lines, above = [], []
+    for group in groups([line_of(group, digits) for group in groups(figures)], same_limits):
+        words, values = title(group), "; ".join(line["values"] for line in group)
+        lines.append(f"{below(words, above)}: **{values}**" + f" {group[0]['unit']}".rstrip() + f" ({group[0]['limits']})")
+        above = words
+    return lines
 
 
 def exact(figure):
     return figure["sense"] == "at most" and figure["bound"] is not None and figure["bound"] <= EXACT
 
 
+def told(figure):
+    return figure["bound"] is not None and not exact(figure)
+
+
 def rows(digits):
-    """Test and figures of each test that has a figure which is no identity."""
-    named_figures = [figure for _, of_test in groupby(store.verification(), lambda figure: figure["test"]) for figure in named(of_test)]
-    for test, of_test in groupby((figure for figure in named_figures if not exact(figure)), lambda figure: figure["test"]):
-        found = groups(of_test)
-        lines = [item(group, title(above) if above else "", digits) for group, above in zip(found, [None, *found])]
-        yield [f"`{test.removeprefix('test_').removesuffix('.*')}`", "<br>".join(lines)]
+    """Test and lines of each test that has a figure which is told."""
+    figures = [figure for _, of_test in groupby(store.verification(), lambda figure: figure["test"]) for figure in named(of_test)]
+    for test, of_test in groupby(filter(told, figures), lambda figure: figure["test"]):
+        yield [f"`{test.removeprefix('test_').removesuffix('.*')}`", "<br>".join(lines_of(of_test, digits))]
 
 
-def identities():
-    """How many figures are balances and identities, and the largest limit of these."""
-    bounds = [figure["bound"] for figure in store.verification() if exact(figure)]
-    return f"{len(bounds)} further figures of [figures.json](figures.json) are balances and identities that hold to round-off, within {limit(max(bounds))}."
+def left_out():
+    """What the table leaves out."""
+    bounds = [figure["bound"] for figure in store.verification()]
+    of_identities = [figure["bound"] for figure in store.verification() if exact(figure)]
+    return f"[figures.json](figures.json) has {len(of_identities)} more of balances and identities, which hold to round-off, within {limit(max(of_identities))}; " \
+        f"and {bounds.count(None)} without a limit, as of P1 or the classical coupling of nodes, for comparison."
