@@ -80,10 +80,6 @@ def contact_laws():
     """The candidates of the default law against published points, and whether the bundled parisons bear them."""
     found = laws()["laws"]
     rows = [["mean loss in the jar's blank, K", "", *(digits(law["jar"]["loss"], 3) for law in found.values())]]
-    for gob in (1100, 1150):
-        published_losses = [row["value"] for row in points("blank_side") if row["quantity"] == f"mean loss of a gob of {gob} degC" and row["at"] in ("3.12", "4.72")]
-        rows.append([f"loss of a gob of {gob} degC in the bottle's blank after 3.12, 4.72 s, K", ", ".join(published_losses) + " (another bottle)",
-                     *(", ".join(digits(loss, 3) for loss in law[f"loss, gob of {gob} degC"]) for law in found.values())])
     rows.append(["heat into the jar's blank over that of perfect contact, %", "50 to 70", *(within(law["jar"]["share"], 50, 70) for law in found.values())])
     for name, (low, high) in RANGES.items():
         wanted = f"{low} to {high}" if low else f"at most {high}"
