@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""coverage.py REPORT [--save]: prints how many lines of each module ran, of a report of `llvm-cov export`, and stores it for tests/README.md.
+"""coverage.py REPORT: prints how many lines of each module ran, of a report of `llvm-cov export`.
 
 The exit code is 1 where less than WANTED of a module ran. Called by tools/coverage."""
 import json
@@ -8,7 +8,7 @@ from collections import defaultdict
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from documents import blocks, store  # noqa: E402
+from documents import store  # noqa: E402
 
 MODULES = ("core", "thermal", "contact", "remesh", "forming")
 WANTED = 0.9
@@ -44,9 +44,6 @@ def main():
         print(f"{row['module']:8s} {row['lines']:6d} lines, {100 * share(row):5.1f} % ran" + ("" if share(row) >= WANTED else ", below 90 %"))
     worst = sorted((path for path in found if path.parts[0] in MODULES), key=lambda path: found[path][1] - found[path][0])[:10]
     print("most lines that did not run: " + ", ".join(f"{path} {found[path][0] - found[path][1]}" for path in worst))
-    if "--save" in sys.argv:
-        store.COVERAGE.write_text("[\n" + ",\n".join(" " + json.dumps(row) for row in rows) + "\n]\n")
-        blocks.update(False)
     return 1 if any(share(row) < WANTED for row in rows) else 0
 
 

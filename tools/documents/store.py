@@ -21,7 +21,6 @@ DIFFERENCE_COSTS = ROOT / "tests/bars/what_if_costs.json"
 PRODUCTION_COSTS = ROOT / "tests/bars/production_costs.json"
 SWEEP_COSTS = ROOT / "tests/sweeps/costs.json"
 SLURM_COSTS = ROOT / "tests/sweeps/slurm_costs.json"
-COVERAGE = ROOT / "tests/coverage.json"
 VERIFICATION = ROOT / "tests/figures.json"
 
 # What light does in the glass of a case: as it stands, and by other models of radiation.

@@ -42,12 +42,6 @@ def speed():
                   "heat into the tools off"], rows)
 
 
-def targets():
-    rows = [[case] + [percent(f"targets.{case}.{asked}.{what}") for asked in ("1", "0.5") for what in ("wall", "heat")]
-            for case in ("jar", "bottle", "tumbler")]
-    return table(["container", "asked 1 %: wall", "heat", "asked 0.5 %: wall", "heat"], rows)
-
-
 def bars():
     kinds = ("glass", "heat", "heat, all tools", "thickness", "time", "profile, mean", "profile, largest")
     rows = [["true errors inside their bars", percent("bars.inside")],
@@ -59,18 +53,18 @@ def bars():
 
 def scene_bars():
     found = store.read(store.BARS, "tests/error_bars --store")["kinds"]
-    rows = [[line["kind"], str(line["scenes"]), str(line["count"]), f"{100 * line['inside']:.0f} %",
-             f"{100 * line['left_out']:.0f} %", digits(line["width"])] for line in found]
-    return table(["kind", "scenes", "counted", "inside", "inside, factor chosen without the scene", "bar over true error, median"], rows)
+    rows = [[line["kind"], str(line["scenes"]), str(line["count"]), f"{100 * line['inside']:.0f}",
+             f"{100 * line['left_out']:.0f}", digits(line["width"])] for line in found]
+    return table(["kind", "scenes", "counted", "inside, %", "inside by the factor of other scenes, %", "bar over true error, median"], rows)
 
 
 def noise():
     stored = store.read(store.BENCHMARKS, "tools/bench noise container_noise --save")
     walls = sorted(key.removesuffix(".worst") for key in stored if key.startswith("noise.") and key.endswith(".worst"))
     kinds = list(dict.fromkeys(key.split("/")[1] for key in stored if key.startswith("noise.") and "/" in key))
-    rows = [[", ".join(reversed(wall.split(".")[1:])), *(percent(wall + of) for of in ("", ".worst", ".within_bars", *(f"/{kind}" for kind in kinds)))]
+    rows = [[", ".join(reversed(wall.split(".")[1:])), *(digits(benchmark(wall + of)) for of in ("", ".worst", ".within_bars", *(f"/{kind}" for kind in kinds)))]
             for wall in walls]
-    return table(["wall of", "all places", "worst place", "quantities within bars", *kinds], rows)
+    return table(["wall of: scatter in %", "all places", "worst place", "quantities within bars", *kinds], rows)
 
 
 def asked_accuracies():
@@ -83,9 +77,9 @@ def asked_accuracies():
 
 def difference_bars():
     found = store.read(store.DIFFERENCE_BARS, "tests/difference_bars --store")
-    rows = [[line["kind"], str(line["changes"]), str(line["count"]), f"{100 * line['inside']:.0f} %", digits(line["width"]),
-             f"{100 * line['real']:.0f} %", f"{100 * line['wrong']:.1f} %"] for line in found]
-    return table(["kind", "changes", "counted", "inside", "over the sum of both bars, median", "real", "real with the wrong sign"], rows)
+    rows = [[line["kind"], str(line["changes"]), str(line["count"]), f"{100 * line['inside']:.0f}", digits(line["width"]),
+             f"{100 * line['real']:.0f}", f"{100 * line['wrong']:.1f}"] for line in found]
+    return table(["kind", "changes", "counted", "inside, %", "over the sum of both bars, median", "real, %", "real with the wrong sign, %"], rows)
 
 
 def costs(path, command, columns=("measured",)):
@@ -96,16 +90,10 @@ def costs(path, command, columns=("measured",)):
     return rows
 
 
-def coverage():
-    rows = [[f"`{row['module']}`", str(row["lines"]), f"{100 * row['ran'] / row['lines']:.1f} %"]
-            for row in store.read(store.COVERAGE, "tools/coverage --save")]
-    return table(["module", "lines", "ran in the fast suite"], rows)
-
-
 def preset_orders():
     found = store.read(store.BARS, "tests/error_bars --store")["presets"]
-    rows = [[line["scene"]] + [f"{digits(100 * error)} %" for error in line["errors"]] + [digits(line["order"])] for line in found]
-    return table(["lengths off, root mean square", "draft", "standard", "fine", "order in the edge"], rows)
+    rows = [[line["scene"]] + [digits(100 * error) for error in line["errors"]] + [digits(line["order"])] for line in found]
+    return table(["lengths off, root mean square, %", "draft", "standard", "fine", "order in the edge"], rows)
 
 
 def parts():
@@ -116,9 +104,9 @@ def parts():
 
 def model():
     calibration = store.read(store.CALIBRATION, "tools/bench --save")["model_parts"]
-    rows = [[part, digits(of["number"]), f"{digits(100 * of['thickness'])} %", f"{digits(100 * of['heat'])} %"]
+    rows = [[part, digits(of["number"]), digits(100 * of["thickness"]), digits(100 * of["heat"])]
             for part, of in calibration["parts"].items()]
-    return table([f"part, measured on {calibration['case']}", "its number there", "wall thickness, mean", "heat into the tools"], rows)
+    return table([f"part, measured on {calibration['case']}", "its number there", "wall thickness, mean, %", "heat into the tools, %"], rows)
 
 
 def radiation_models():
@@ -394,7 +382,7 @@ def shell(case, *names):
     return table([""] + list(names), rows)
 
 
-BLOCKS = {function.__name__: function for function in (speed, targets, bars, scene_bars, noise, asked_accuracies, difference_bars, preset_orders, coverage, parts, model, radiation_models, bench, calculix, verification, expectations)}
+BLOCKS = {function.__name__: function for function in (speed, bars, scene_bars, noise, asked_accuracies, difference_bars, preset_orders, parts, model, radiation_models, bench, calculix, verification, expectations)}
 BLOCKS |= {"difference_costs": costs(store.DIFFERENCE_COSTS, "difference_costs"), "production_costs": costs(store.PRODUCTION_COSTS, "production_costs"),
            "sweep_costs": costs(store.SWEEP_COSTS, "sweep_costs", ("wanted", "measured")), "slurm_costs": costs(store.SLURM_COSTS, "slurm_costs")}
 CASE_BLOCKS = {function.__name__: function for function in (stages, tools, in_space, wall, dwell, radiation, blank_slopes, press, laps, sagging, shell, bands)}
