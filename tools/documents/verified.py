@@ -10,23 +10,20 @@ LONGEST = 8  # words in which names of figures that stand together differ, at mo
 LEAST = 3  # words that these names share, and that "…" stands for, at least
 SIGNS = {"at most": "≤", "at least": "≥"}
 
-
 def named(figures):
-    """Figures with the words of their names: without "off by" at the end, "the same: " told in full."""
+    """Figures with the words of their names: without "off by" and "relative", "the same: " told in full."""
     subject = ""
     for figure in figures:
-        what = re.sub(r"[:,]? off by( at most)?$", "", figure["what"].strip())
+        what = re.sub(r",? relative$|[:,]? off by( at most)?$", "", figure["what"].strip()).replace(": off by, ", ", ").replace(" off by, ", ", ")
         if what.startswith("the same: ") and subject:
             what = subject + what.removeprefix("the same")
         elif not what.startswith("the same"):
             subject = what.rpartition(": ")[0] or what
         yield {**figure, "words": what.split()}
 
-
 def same(words, others):
     """How many words both begin with."""
     return next((i for i, pair in enumerate(zip(words, others)) if pair[0] != pair[1]), min(len(words), len(others)))
-
 
 def shared(figures):
     """How many words all names begin with, and how many they end with beyond these."""
@@ -35,13 +32,11 @@ def shared(figures):
     end = min(min(same(names[0][::-1], name[::-1]), len(name) - begin, len(names[0]) - begin) for name in names)
     return begin, end if end >= LEAST else 0
 
-
 def stand_together(figures):
     """Whether the names share enough, and differ in few words of one part, which a colon may only end."""
     begin, end = shared(figures)
     parts = [figure["words"][begin:len(figure["words"]) - end] for figure in figures]
     return begin + end >= LEAST and all(0 < len(part) <= LONGEST and not any(word[-1] == ":" for word in part[:-1]) for part in parts)
-
 
 def groups(lines, fit=lambda lines: True):
     found = []
@@ -52,7 +47,6 @@ def groups(lines, fit=lambda lines: True):
         else:
             found.append([line])
     return found
-
 
 def title(lines):
     """The words of lines that stand together: what differs is told in the place where it does."""
@@ -65,7 +59,6 @@ def title(lines):
     parts = [part.rstrip(",:") for part in parts]
     return [*first[:begin], *(("; " if any("," in part for part in parts) else ", ").join(parts) + mark).split(), *first[len(first) - end:]]
 
-
 def below(words, others):
     """The name of a line in which "…" stands for words that it begins with, up to a comma or colon, or ends with as the line above does."""
     alike = same(words, others)
@@ -74,15 +67,12 @@ def below(words, others):
     end = end if end >= LEAST else 0
     return " ".join(["…"] * (begin > 0) + words[begin:len(words) - end] + ["…"] * (end > 0))
 
-
 def limit(bound):
     return f"{bound:g}".replace("e-0", "e-")
-
 
 def alike(texts):
     """One text where all are equal, else all of them."""
     return ", ".join(dict.fromkeys(texts) if len(set(texts)) == 1 else texts)
-
 
 def line_of(figures, digits):
     """Figures that stand together as one line: words, measured values with their units, limits."""
@@ -93,10 +83,8 @@ def line_of(figures, digits):
     limits = alike([SIGNS[figure["sense"]] + limit(figure["bound"]) for figure in figures])
     return {"words": title(figures), "values": ", ".join(values), "unit": units[0], "limits": limits}
 
-
 def same_limits(lines):
     return all(line[key] == lines[0][key] for line in lines for key in ("unit", "limits"))
-
 
 def lines_of(figures, digits):
     """The lines of a test, those with the same limits put together once more."""
@@ -107,21 +95,17 @@ def lines_of(figures, digits):
         above = words
     return lines
 
-
 def exact(figure):
     return figure["sense"] == "at most" and figure["bound"] is not None and figure["bound"] <= EXACT
 
-
 def told(figure):
     return figure["bound"] is not None and not exact(figure)
-
 
 def rows(digits):
     """Test and lines of each test that has a figure which is told."""
     figures = [figure for _, of_test in groupby(store.verification(), lambda figure: figure["test"]) for figure in named(of_test)]
     for test, of_test in groupby(filter(told, figures), lambda figure: figure["test"]):
         yield [f"`{test.removeprefix('test_').removesuffix('.*')}`", "<br>".join(lines_of(of_test, digits))]
-
 
 def left_out():
     """What the table leaves out."""
