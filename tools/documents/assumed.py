@@ -20,14 +20,11 @@ TITLES = {"wall": "thinnest wall", "heat": "heat into the blank", "glass": "mean
 ACCURACY, RUNS = "draft coarser 2", "48"
 SCATTER = "0 +- 1 uniform"
 
-
 def given():
     return tomllib.loads(GIVEN.read_text())
 
-
 def stored(case):
     return read(FOLDER / f"assumed_{case}.json", f"tools/readme_figures --assumed {case}")
-
 
 def bands(glass, factor, x):
     radiation = tomllib.loads((ROOT / "cases/materials.toml").read_text())[glass]["radiation"]
@@ -35,13 +32,11 @@ def bands(glass, factor, x):
     inner = ", ".join(f'{{ up_to = "{band["up_to"]}", absorption = "{absorption(band)}" }}' for band in radiation["bands"])
     return f'material.{glass}.radiation={{ refractive_index = {radiation["refractive_index"]}, thin_wall = true, bands = [{inner}] }}'
 
-
 def start_sets(case, container, spread, x):
     tools = {tool["name"]: tool for tool in tomllib.loads((ROOT / "cases" / case / "case.toml").read_text())["tool"]}
     if container["start"] == "plus":
         return [f"tool.{tool}.temperature.plus={spread} K*{x}" for tool in container["warmed"]]
     return [f"tool.{tool}.temperature={tools[tool]['temperature']} + {spread} K*{x}" for tool in container["warmed"]]
-
 
 def sets_of(case, constant):
     """--set of one constant of a container, with its scatter in place of x."""
@@ -55,18 +50,15 @@ def sets_of(case, constant):
         sets.append(bands("flint", 0.693, x))
     return [re.sub(r"\bx\b", x, one) for one in sets]
 
-
 def dimensions(case, constants):
     own = tomllib.loads((ROOT / "cases" / case / "case.toml").read_text()).get("dimension", {})
     own.update({f"x_{one['name']}": SCATTER for one in constants})
     return "dimension={ " + ", ".join(f"{key} = {json.dumps(value)}" for key, value in own.items()) + " }"
 
-
 def words(case):
     constants = given()["constant"]
     sets = [dimensions(case, constants), *(one for constant in constants for one in sets_of(case, constant))]
     return ["uncertainty", ROOT / "cases" / case, "--accuracy", ACCURACY, "--runs", RUNS, *(word for one in sets for word in ("--set", one))]
-
 
 def measure(case, parison=ROOT / "build/parison"):
     """Runs the study of a container and stores the effect of each constant over its range."""
@@ -78,7 +70,6 @@ def measure(case, parison=ROOT / "build/parison"):
         if not path.exists():
             raise RuntimeError(done.stdout[-800:])
         store(case, json.loads(path.read_text()))
-
 
 def store(case, study):
     """Keeps of a study, by quantity, its value, its bars and each constant's effect: the change over half its range."""
@@ -93,7 +84,6 @@ def store(case, study):
     (FOLDER / f"assumed_{case}.json").write_text(json.dumps(rounded(kept), indent=1) + "\n")
     picture()
 
-
 def effect(study, kind, constant):
     """What half the range of a constant moves, in % of the quantity or K, and whether that is above the scatter of the runs; None where the container has
     no such quantity. The main effect is that over one standard deviation of an even scatter, 1/sqrt(3) of half its width."""
@@ -104,24 +94,20 @@ def effect(study, kind, constant):
     found, scale = quantity["effects"][constant], 3**0.5 * (1 if unit == "K" else 100 / quantity["mean"])
     return scale * (found["value"] or 0), found["low"] * found["high"] > 0, 0.5 * scale * (found["high"] - found["low"])
 
-
 def shown(found):
     if not found or not found[1]:
         return "–"
     return f"{found[0]:+.0f}" if abs(found[0]) >= 9.95 else f"{found[0]:+.2g}"
-
 
 def least(study, kind):
     """What the widest scatter of the constants that are not seen would hide."""
     unseen = [found[2] for one in given()["constant"] if (found := effect(study, kind, one["name"])) and not found[1]]
     return digits(max(unseen)) if unseen else "–"
 
-
 def whole(study, kind):
     name, unit = EFFECTS[kind]
     quantity = study["quantities"].get(name)
     return f"±{digits(quantity['tolerance_bar'] * (1 if unit == 'K' else 100 / quantity['mean']))}" if quantity else "–"
-
 
 def assumed():
     """Every assumed constant with its range, its source and what half of the range moves, in all containers."""
@@ -131,15 +117,13 @@ def assumed():
     seen = [one for one in sorted(given()["constant"], key=strength, reverse=True) if strength(one)]
     rows = [[one["what"], one["range"], one["source"], *cells(lambda study, kind: shown(effect(study, kind, one["name"])))] for one in seen]
     rows += [["least that these runs show", "", "", *cells(least)], ["all together, two standard deviations", "", "", *cells(whole)]]
-    unseen = [f"{one['what']} ({one['range']}; {one['source']})" for one in given()["constant"] if one not in seen]
+    unseen = [f"{one['what']} ({one['range']})" for one in given()["constant"] if one not in seen]
     heads = [f"{kind}, {unit}: {', '.join(CONTAINERS)}" for kind, (_, unit) in EFFECTS.items()]
     return table(["assumed", "range (bundled)", "source", *heads], rows) + "\n\nNothing above the scatter: " + "; ".join(unseen) + "."
-
 
 def hanging():
     """How many of the runs ended early."""
     return ", ".join(f"{stored(case)['runs_failed']} of {stored(case)['runs_done'] + stored(case)['runs_failed']} of the {case}" for case in CONTAINERS)
-
 
 def picture():
     """Bars of what half the range of each constant moves, the strongest first, for each container."""
@@ -168,6 +152,5 @@ def picture():
     axes[0].legend(fontsize=7, frameon=False, loc="lower right")
     figure.savefig(FOLDER / "assumed.png", dpi=110)
     pyplot.close(figure)
-
 
 BLOCKS = {"assumed": assumed, "hanging": lambda: f"Without a result ended {hanging()}: their parisons hang longer than their moulds."}
