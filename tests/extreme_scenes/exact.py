@@ -57,16 +57,6 @@ def shell_time(viscosity, pressure, inner, outer, new_inner, tension=0.0, steps=
     return width * (sum(values) - 0.5 * (values[0] + values[-1]))
 
 
-def squeeze_force(viscosity, volume, height, speed):
-    """Between plates without friction, at any height, N."""
-    return 3 * viscosity * volume * speed / height ** 2
-
-
-def pressed_height(viscosity, volume, height, force, time):
-    """Height of a disc between plates without friction under a force, m."""
-    return height / (1 + force * height * time / (3 * viscosity * volume))
-
-
 def radiated_temperature(start, surroundings, area, emissivity, heat_capacity, time, steps=20000):
     """Temperature of a body of one temperature that radiates, K (Runge-Kutta)."""
     def rate(T):

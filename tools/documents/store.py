@@ -77,9 +77,9 @@ RUNS = {
 LIT = [case for case, runs in RUNS.items() if "light_enclosure" in runs]  # cases whose models of radiation are compared
 
 
-KEPT = ("accuracy", "overrides", "time_s", "cpu_seconds", "steps", "remeshes", "volume_drift", "max_volume_drift",
-        "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "max_reynolds", "outer_within_0.2mm_of_tools",
-        "temperature_overshoot_K", "remeshing", "glass", "tools", "thickness", "quantities", "solid")
+KEPT = ("accuracy", "time_s", "cpu_seconds", "steps", "remeshes", "volume_drift", "max_volume_drift",
+        "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "outer_within_0.2mm_of_tools",
+        "remeshing", "glass", "tools", "thickness", "quantities", "solid")
 OF_STAGE_END = ("glass_mean_degC", "heat_to_tools_J", "heat_to_air_J", "skin_mean_degC")
 SKIN_ROWS = 120  # of the skin over time, at the most
 

@@ -97,7 +97,6 @@ const table = {
   findings: ["Unusual, no error: is it meant?", "Ungewöhnlich, kein Fehler: ist das gewollt?"],
   cannotBegin: ["The first stage cannot begin", "Die erste Stufe kann nicht beginnen"],
   line: ["line", "Zeile"],
-  checking: ["checking …", "wird geprüft …"],
   sketch: ["Sketch", "Skizze"],
   sketchFollows: ["Sketch after each change", "Skizze nach jeder Änderung"],
   sketchRuns: ["sketch is computed …", "Skizze wird gerechnet …"],
