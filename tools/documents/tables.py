@@ -97,9 +97,7 @@ def preset_orders():
 
 
 def parts():
-    return table(["estimate against run, by a factor of", "measured"],
-                 [["as a rule", digits(benchmark("parts.usual"))],
-                  ["at the most, where the change is above 0.5 %", digits(benchmark("parts.worst"))]])
+    return f"estimates are off by a factor of {digits(benchmark('parts.usual'))} as a rule, of {digits(benchmark('parts.worst'))} at the most where the change is above 0.5 %."
 
 
 def model():
@@ -155,9 +153,7 @@ def bench():
 # --- tests/README.md ----------------------------------------------------------------------------------------------------
 
 def calculix():
-    return table(["CPU time of CalculiX 2.20 over that of Parison, two cylinders", "measured", "wanted"],
-                 [["steps of 0.002 s", f"{benchmark('calculix.ratio'):.0f}", "100"],
-                  ["its own step control", f"{benchmark('calculix.own_control'):.0f}", "100"]])
+    return f"CalculiX 2.20 takes {benchmark('calculix.ratio'):.0f} times the CPU time in steps of 0.002 s, {benchmark('calculix.own_control'):.0f} times by its own step control."
 
 
 def verification():
@@ -238,17 +234,17 @@ def tools(case, name):
 
 
 def in_space(case, *names):
-    """The container of runs in space."""
-    rows = []
+    """The container of runs in space, a line each."""
+    lines = []
     for name in names:
         run = store.run(case, name)
         solid = run["solid"]
         thinnest = solid["thinnest"]
-        rows.append([name, f"{solid['mean_thickness_mm']:.2f}", f"{thinnest['thickness_mm']:.2f}",
-                     f"({thinnest['x_mm']:.0f}, {thinnest['y_mm']:.0f}, {thinnest['z_mm']:.0f})", f"{solid['capacity_ml']:.1f}",
-                     f"{100 * solid['outer_within_0.2mm_of_tools']:.0f} %", str(solid["cells"]), str(solid["steps"]), digits(run["cpu_seconds"])])
-    return table(["run", "wall in the mean, mm", "thinnest, mm", "at (x, y, z), mm", "capacity, ml", "outer side within 0.2 mm of the mould", "cells", "steps in space",
-                  "CPU, s, one thread"], rows)
+        lines.append(f"{name.capitalize()}: wall {solid['mean_thickness_mm']:.2f} mm in the mean, thinnest {thinnest['thickness_mm']:.2f} mm at (x, y, z) = "
+                     f"({thinnest['x_mm']:.0f}, {thinnest['y_mm']:.0f}, {thinnest['z_mm']:.0f}) mm; capacity {solid['capacity_ml']:.1f} ml; "
+                     f"{100 * solid['outer_within_0.2mm_of_tools']:.0f} % of the outer side within 0.2 mm of the mould; "
+                     f"{solid['cells']} cells, {solid['steps']} steps in space, {digits(run['cpu_seconds'])} s of CPU on one thread.")
+    return "\n".join(lines)
 
 
 def wall(case, *names):
@@ -364,14 +360,16 @@ def press(case, *names):
     return table([""] + list(names), rows)
 
 
+def by_run(names, what, unit, value):
+    return f"{what}: " + ", ".join(f"{value(name)} at {name}" for name in names) + f" ({unit})."
+
+
 def laps(case, *names):
-    return table([""] + list(names), [["air closed in laps, mm3"] +
-                                      [digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]) for name in names]])
+    return by_run(names, "Air closed in laps", "mm3", lambda name: digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]))
 
 
 def sagging(case, *names):
-    return table([""] + list(names), [["lowest point after a minute, z in mm"] +
-                                      [f"{store.run(case, name)['quantities']['extent_z_min']['value']:.2f}" for name in names]])
+    return by_run(names, "Lowest point after a minute", "z in mm", lambda name: f"{store.run(case, name)['quantities']['extent_z_min']['value']:.2f}")
 
 
 def shell(case, *names):
