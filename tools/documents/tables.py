@@ -13,6 +13,11 @@ def table(heading, rows):
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
+def listed(rows):
+    """A line for each row, whose second part may have several lines."""
+    return "\n".join(f"* {name}: {text}" for name, text in rows)
+
+
 def digits(value, count=2):
     """A number with so many significant digits, as people write it."""
     if value == 0:
@@ -157,7 +162,7 @@ def calculix():
 
 
 def verification():
-    return table(["test", "error: measured (required)"], verified.rows(digits)) + "\n\n" + verified.left_out()
+    return listed(verified.rows(digits)) + "\n\n" + verified.left_out()
 
 
 def expected():
@@ -205,7 +210,7 @@ def expectations():
             measured = ", ".join(digits(found, 4) for _, (found, _, _) in values)
             lines.append(f"`{column}`" + (f" at {times} s" if times else "") + f": **{measured}** ({allowed_of([of for _, of in values])})")
         rows.append([case, "<br>".join(lines)])
-    return table(["case", "measured (allowed)"], rows) + f"\n\nOf {len(balances)} balances, drifts and penetrations the nearest to its limit is {max(balances)[1]}."
+    return listed(rows) + f"\n\nOf {len(balances)} balances, drifts and penetrations the nearest to its limit is {max(balances)[1]}."
 
 
 def outside():
