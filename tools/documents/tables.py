@@ -7,16 +7,13 @@ import tomllib
 from documents import store, verified
 from documents.store import ROOT, benchmark
 
-
 def table(heading, rows):
     lines = ["| " + " | ".join(heading) + " |", "|" + "---|" * len(heading)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
-
 def listed(rows):
     """A line for each row, whose second part may have several lines."""
     return "\n".join(f"* {name}: {text}" for name, text in rows)
-
 
 def digits(value, count=2):
     """A number with so many significant digits, as people write it."""
@@ -28,10 +25,8 @@ def digits(value, count=2):
     mantissa, power = f"{value:.{count - 1}e}".split("e")
     return f"{mantissa}e{int(power)}"
 
-
 def percent(key, count=2):
     return f"{digits(benchmark(key), count)} %"
-
 
 # --- README.md, READMEs of tools -----------------------------------------------------------------------------------------
 
@@ -46,22 +41,18 @@ def speed():
     return table(["accuracy", f"CPU time over the {fine['time_s']:.1f} s of the process", "wall thickness off: mean, largest",
                   "heat into the tools off"], rows)
 
-
 def bars():
     kinds = ("glass", "heat", "heat, all tools", "thickness", "time", "profile, mean", "profile, largest")
     rows = [["true errors inside their bars", percent("bars.inside")],
-            ["bars at most five times the larger of the true error and 0.01 %", percent("bars.narrow_resolved")],
-            ["bars at most five times the true error", percent("bars.narrow")]]
+            ["bars at most five times the larger of the true error and 0.01 %", percent("bars.narrow_resolved")]]
     rows += [["bars over true errors, root mean square", "; ".join(f"{kind} {digits(benchmark(f'bars.{kind}'))}" for kind in kinds)]]
     return table(["what", "measured"], rows)
-
 
 def scene_bars():
     found = store.read(store.BARS, "tests/error_bars --store")["kinds"]
     rows = [[line["kind"], str(line["scenes"]), str(line["count"]), f"{100 * line['inside']:.0f}",
              f"{100 * line['left_out']:.0f}", digits(line["width"])] for line in found]
     return table(["kind", "scenes", "counted", "inside, %", "inside by the factor of other scenes, %", "bar over true error, median"], rows)
-
 
 def noise():
     stored = store.read(store.BENCHMARKS, "tools/bench noise container_noise --save")
@@ -71,14 +62,12 @@ def noise():
             for wall in walls]
     return table(["wall of: scatter in %", "all places", "worst place", "quantities within bars", *kinds], rows)
 
-
 def asked_accuracies():
     found = store.read(store.ASKED, "tests/asked_accuracies --store")
     rows = [[f"scenes {group}", str(one["scenes"]), ", ".join(f"{target:g}" for target in one["targets"]),
-             f"{one['reached']} of {one['count']}", *(f"{ratio:.1f}" for kind in ("cost", "cost_of_runs") for ratio in one[kind])]
+             f"{one['reached']} of {one['count']}", *(f"{ratio:.1f}" for ratio in one["cost"])]
             for group, one in found.items()]
-    return table(["which", "scenes", "asked for, %", "reached", "cost, median", "largest", "cost of the runs alone, median", "largest"], rows)
-
+    return table(["which", "scenes", "asked for, %", "reached", "cost, median", "largest"], rows)
 
 def difference_bars():
     found = store.read(store.DIFFERENCE_BARS, "tests/difference_bars --store")
@@ -86,31 +75,27 @@ def difference_bars():
              f"{100 * line['real']:.0f}", f"{100 * line['wrong']:.1f}"] for line in found]
     return table(["kind", "changes", "counted", "inside, %", "over the sum of both bars, median", "real, %", "real with the wrong sign, %"], rows)
 
-
 def costs(path, command, columns=("measured",)):
-    """A table of what a test has measured; a block may name its rows by their numbers."""
+    """What a test has measured; a block may name its rows by their numbers."""
     def rows(*numbers):
         found = store.read(path, f"tests/{command} --store")
-        return table(["what", *columns], [[line["what"], *(line[column] for column in columns)] for line in ([found[int(i)] for i in numbers] or found)])
+        rows = [[line["what"], *(line[column] for column in columns)] for line in ([found[int(i)] for i in numbers] or found)]
+        return listed(rows) if len(columns) == 1 else table(["what", *columns], rows)
     return rows
-
 
 def preset_orders():
     found = store.read(store.BARS, "tests/error_bars --store")["presets"]
     rows = [[line["scene"]] + [digits(100 * error) for error in line["errors"]] + [digits(line["order"])] for line in found]
     return table(["lengths off, root mean square, %", "draft", "standard", "fine", "order in the edge"], rows)
 
-
 def parts():
     return f"estimates are off by a factor of {digits(benchmark('parts.usual'))} as a rule, of {digits(benchmark('parts.worst'))} at the most where the change is above 0.5 %."
-
 
 def model():
     calibration = store.read(store.CALIBRATION, "tools/bench --save")["model_parts"]
     rows = [[part, digits(of["number"]), digits(100 * of["thickness"]), digits(100 * of["heat"])]
             for part, of in calibration["parts"].items()]
     return table([f"part, measured on {calibration['case']}", "its number there", "wall thickness, mean, %", "heat into the tools, %"], rows)
-
 
 def radiation_models():
     """Cheaper models of radiation against transfer in each scene, how far a case goes beyond all others, and what they cost."""
@@ -131,20 +116,15 @@ def radiation_models():
     rows.append(["mean skin at the end of any stage off by up to, K", *(digits(kelvin) for kelvin in skin), ""])
     return table(["wall in the mean / heat into tools, off from `transfer`, %", *(f"`{model}`" for model in models), "noise"], rows)
 
-
 def bench():
     both = [("CPU time of the jar over its process time", "jar.{}.cpu", "", "1; 8"),
             ("share of flow in it", "jar.{}.flow", " %", ""), ("share of heat", "jar.{}.heat", " %", ""),
             ("share of remeshing and transfer", "remesh.{}.share", " %", "10 %"),
-            ("share of output", "jar.{}.output", " %", ""),
             ("share of the interface in the steps, built and assembled", "interface.{}.share", " %", "3 %"),
-            ("flow of a step over one factorisation and solve of its matrix", "flow.{}.step", "", "1.6"),
-            ("contact iterations of a step, mean", "flow.{}.iterations", "", "")]
+            ("flow of a step over one factorisation and solve of its matrix", "flow.{}.step", "", "1.6")]
     rows = [[what] + [digits(benchmark(key.format(accuracy))) + unit for accuracy in ("draft", "standard")] + [wanted]
             for what, key, unit, wanted in both]
-    once = [("time outside factorisation and back-substitution", "solver.outside", " %", "35 %"),
-            ("one BLAS thread over two, as if neither ever waited", "threads.two", "", "")]
-    rows += [[what, "", digits(benchmark(key)) + unit, wanted] for what, key, unit, wanted in once]
+    rows.append(["time outside factorisation and back-substitution", "", percent("solver.outside"), "35 %"])
     rows.append(["heat from the glass changed by a new mesh in mid-stage, six containers, at the most",
                  digits(benchmark("remesh_heat.draft.worst")) + " %", digits(benchmark("remesh_heat.standard.worst")) + " %", "0.3 %"])
     rows.append(["start of the program, s", f"{benchmark('start.version'):.3f}", "", "0.05"])
@@ -154,16 +134,13 @@ def bench():
                  f"{benchmark('memory.peak'):.0f}; {benchmark('memory.program'):.0f}", "", "300"])
     return table(["what", "draft", "standard", "wanted"], rows)
 
-
 # --- tests/README.md ----------------------------------------------------------------------------------------------------
 
 def calculix():
     return f"CalculiX 2.20 takes {benchmark('calculix.ratio'):.0f} times the CPU time in steps of 0.002 s, {benchmark('calculix.own_control'):.0f} times by its own step control."
 
-
 def verification():
     return listed(verified.rows(digits)) + "\n\n" + verified.left_out()
-
 
 def expected():
     """Case, label, stored value and bounds of each expectation of the bundled cases."""
@@ -178,7 +155,6 @@ def expected():
                     raise store.Missing(f"cases/{case}/figures.json has no \"{label}\": tools/readme_figures --run {case}.draft")
                 yield case, label, found[label], bounds, expect.allowed(*bounds)
 
-
 def allowed_of(values):
     """Of one value its bounds; of several times of a column their middles and what they may be off by."""
     if len(values) > 1 and all(map(math.isfinite, (bound for _, bounds, _ in values for bound in bounds))):
@@ -188,10 +164,8 @@ def allowed_of(values):
         allowed = allowed.replace(f"{text} ", sign)
     return allowed
 
-
 BALANCES = ("volume_drift", "max_volume_drift", "energy_imbalance", "max_work_imbalance", "max_penetration_mm", "solid.largest_volume_error",
             "solid.heat_imbalance")
-
 
 def expectations():
     """A row for each case, a line for each expectation; a column at several times is one line. Of balances that nearest to its limit."""
@@ -212,7 +186,6 @@ def expectations():
         rows.append([case, "<br>".join(lines)])
     return listed(rows) + f"\n\nOf {len(balances)} balances, drifts and penetrations the nearest to its limit is {max(balances)[1]}."
 
-
 def outside():
     """A sentence for each stored figure of the bundled cases and of the verification that stands outside its own limit."""
     for case, label, found, (low, high), allowed in expected():
@@ -223,20 +196,17 @@ def outside():
         if bound is not None and (value > bound if figure["sense"] == "at most" else value < bound):
             yield f"tests/figures.json: {figure['what']} is {value:g}, required is {figure['sense']} {bound:g}; tools/verification_table stores it anew"
 
-
 # --- cases/*/README.md --------------------------------------------------------------------------------------------------
 
 def stages(case, name):
-    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_degC']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}",
-             f"{1e-3 * end['heat_to_air_J']:.1f}"] for end in store.run(case, name)["stages"]]
-    return table(["end of", "time, s", "mean of the glass, degC", "heat to tools, kJ", "heat to air, kJ"], rows)
-
+    rows = [[end["name"], f"{end['end_s']:.3f}", f"{end['glass_mean_degC']:.0f}", f"{1e-3 * end['heat_to_tools_J']:.1f}"]
+            for end in store.run(case, name)["stages"]]
+    return table(["end of", "time, s", "mean of the glass, degC", "heat to tools, kJ"], rows)
 
 def tools(case, name):
     rows = [[tool.replace("_", " "), f"{1e-3 * of['heat_received_J']:.1f}", f"{of['surface_temperature_max_degC']:.0f}"]
             for tool, of in store.run(case, name)["tools"].items()]
     return table(["tool", "heat received, kJ", "hottest contact surface, degC"], rows)
-
 
 def in_space(case, *names):
     """The container of runs in space, a line each."""
@@ -251,7 +221,6 @@ def in_space(case, *names):
                      f"{solid['cells']} cells, {solid['steps']} steps in space, {digits(run['cpu_seconds'])} s of CPU on one thread.")
     return "\n".join(lines)
 
-
 def wall(case, *names):
     """Wall, glass, balances and cost of several runs side by side; shared machines scatter."""
     runs = [store.run(case, name) for name in names]
@@ -264,11 +233,9 @@ def wall(case, *names):
             ["steps; remeshes; CPU, s, one thread"] + [f"{r['steps']}; {r['remeshes']}; {digits(r['cpu_seconds'])}" for r in runs]]
     return table([""] + list(names), rows)
 
-
 def against_fine_rows(case, names):
     return [["wall against fine: mean, largest difference"] + [against_fine(case, name, bars_module().profile_errors) for name in names],
             ["heat into tools against fine"] + [against_fine(case, name, bars_module().heat_error) for name in names]]
-
 
 def bands(case, *names):
     """Mean wall in six parts of the outer side, from the rim to the middle of the bottom."""
@@ -282,7 +249,6 @@ def bands(case, *names):
         rows.append([MODELS.get(name.removeprefix("light_"), name), *row])
     return table(["wall, mm, in sixths of the outer side from the rim on"] + [str(i + 1) for i in range(parts)], rows)
 
-
 def bars_module():
     """The comparison of two results that tools/bench makes."""
     sys.path.insert(0, str(ROOT / "tools"))
@@ -290,13 +256,11 @@ def bars_module():
 
     return module
 
-
 def against_fine(case, name, error):
     if name == "fine":
         return ""
     found = error(store.run(case, name), store.run(case, "fine"))
     return ", ".join(f"{digits(100 * each)} %" for each in (found if isinstance(found, tuple) else (found,)))
-
 
 def dwell(case):
     """Heat out of the glass in the blank of the jar by the load that the plunger keeps in the dwell."""
@@ -306,14 +270,11 @@ def dwell(case):
         rows.append([load, f"{1e-3 * (end['heat_to_tools_J'] + end['heat_to_air_J']):.1f} kJ"])
     return table(["load in the dwell", "heat out of the glass by its end"], rows)
 
-
 MODELS = {"enclosure": "the case", "transfer": "transfer", "p1": "P1 in bands", "none": "none: opaque",
           "rosseland": "Rosseland"}
 
-
 def heat_of(run, kind):
     return 1e-3 * sum(tool.get(kind, 0) for tool in run["tools"].values())
-
 
 def radiation(case):
     """What the model of radiation changes at draft: wall, heat of the tools, mean skin at the ends of stages, CPU time."""
@@ -329,7 +290,6 @@ def radiation(case):
     return table(["radiation", "wall: least, mean, mm", "wall off: mean, largest", "conducted into tools, kJ", "light into them, kJ",
                   "light to their open surfaces, kJ", "mean skin at the end of, degC", "CPU, s"], rows)
 
-
 def against(run, reference):
     """Wall against that of another run, over the mean wall: mean and largest difference along the outer side."""
     pairs = [(a, b) for a, b in zip(run["thickness_profile_mm"], reference["thickness_profile_mm"]) if a is not None and b is not None]
@@ -337,11 +297,9 @@ def against(run, reference):
     off = [abs(a - b) / mean for a, b in pairs]
     return f"{digits(100 * sum(off) / len(off))} %, {digits(100 * max(off))} %"
 
-
 def blank_end(case, name):
     (end,) = [stage for stage in store.run(case, name)["stages"] if stage["name"] == "dwell"]
     return end
-
 
 def blank_slopes(case):
     """Heat out of the glass in the blank, and its mean at the end of the dwell over gob and tool temperature, by differences of 5 K."""
@@ -355,7 +313,6 @@ def blank_slopes(case):
     return table(["radiation", "heat out of the glass by the end of the dwell, kJ", "mean of the glass then, degC",
                   "K of it per K of the gob", "per K of the blank side's tools"], rows)
 
-
 def press(case, *names):
     """Where and when the plunger of the tumbler comes to rest, and the heat of each tool."""
     runs = [store.run(case, name) for name in names]
@@ -364,18 +321,14 @@ def press(case, *names):
     rows += [[f"heat into {tool}, kJ"] + [f"{1e-3 * r['tools'][tool]['heat_received_J']:.2f}" for r in runs] for tool in runs[0]["tools"]]
     return table([""] + list(names), rows)
 
-
 def by_run(names, what, unit, value):
     return f"{what}: " + ", ".join(f"{value(name)} at {name}" for name in names) + f" ({unit})."
-
 
 def laps(case, *names):
     return by_run(names, "Air closed in laps", "mm3", lambda name: digits(1e9 * store.run(case, name)["remeshing"]["lap_volume_m3"]))
 
-
 def sagging(case, *names):
     return by_run(names, "Lowest point after a minute", "z in mm", lambda name: f"{store.run(case, name)['quantities']['extent_z_min']['value']:.2f}")
-
 
 def shell(case, *names):
     runs = [store.run(case, name) for name in names]
@@ -383,7 +336,6 @@ def shell(case, *names):
             ["volume drift, at the end and at the most"] +
             [f"{digits(abs(r['volume_drift']), 1)}, {digits(r['max_volume_drift'], 1)}" for r in runs]]
     return table([""] + list(names), rows)
-
 
 BLOCKS = {function.__name__: function for function in (speed, bars, scene_bars, noise, asked_accuracies, difference_bars, preset_orders, parts, model, radiation_models, bench, calculix, verification, expectations)}
 BLOCKS |= {"difference_costs": costs(store.DIFFERENCE_COSTS, "difference_costs"), "production_costs": costs(store.PRODUCTION_COSTS, "production_costs"),
