@@ -66,4 +66,14 @@ Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, doub
   return result;
 }
 
+double weight_of_change(const GlassLaw& law, const Relaxation* points, int count) {
+  constexpr double more = 7, steep = 10;  // full weight where between a tenth and nine tenths of the strain stay stress
+  double relaxing = 0;
+  for (int q = 0; q < count; ++q) {
+    const double share = points[q].modulus.sum() / law.shear_modulus();
+    relaxing = std::max(relaxing, share * (1 - share));
+  }
+  return 1 + more * std::min(1.0, steep * relaxing);
+}
+
 }  // namespace parison::cooling

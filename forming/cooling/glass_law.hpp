@@ -54,4 +54,8 @@ struct Relaxation {
 /// the viscosity hardly changes in a part, which is of second order.
 Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, double to, double dt);
 
+/// By how much a change of temperature counts for more than itself in a cell that relaxes within a step, because there
+/// it decides what stress stays. `points`: of the cell, so many.
+double weight_of_change(const GlassLaw& law, const Relaxation* points, int count);
+
 }  // namespace parison::cooling

@@ -16,11 +16,11 @@ double largest_principal(const Eigen::Vector4d& stress) {
   return std::max(stress[2], mean + std::hypot(half, stress[3]));
 }
 
+}  // namespace
+
 void keep_larger(const SurfaceTension& now, SurfaceTension& largest) {
   if (now.stress > largest.stress) largest = now;
 }
-
-}  // namespace
 
 double CoolingSeen::sag(double height_now, double volume_now) const {
   return 1 - height_now / (height * std::cbrt(volume_now / volume));
@@ -41,8 +41,7 @@ SidesTension surface_tension(const State& state) {
   return tension;
 }
 
-void follow_cooling(const State& after, CoolingSeen& seen) {
-  const SidesTension now = surface_tension(after);
+void follow_cooling(const SidesTension& now, CoolingSeen& seen) {
   keep_larger(now.outer, seen.largest.outer);
   keep_larger(now.inner, seen.largest.inner);
 }

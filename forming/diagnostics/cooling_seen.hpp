@@ -12,6 +12,9 @@ struct SurfaceTension {
   double time = 0;  ///< s since the start of the run
 };
 
+/// Keeps the larger of two.
+void keep_larger(const SurfaceTension& now, SurfaceTension& largest);
+
 /// Tension on the outer and on the inner side.
 struct SidesTension {
   SurfaceTension outer, inner;
@@ -29,8 +32,8 @@ struct CoolingSeen {
   double sag(double height_now, double volume_now) const;
 };
 
-/// Adds the state at the end of a step that cools.
-void follow_cooling(const State& after, CoolingSeen& seen);
+/// Adds the tension at the end of a step that cools.
+void follow_cooling(const SidesTension& now, CoolingSeen& seen);
 
 template <typename Visitor, typename Tension>
 void visit_tension(Visitor visit, Tension& tension) {

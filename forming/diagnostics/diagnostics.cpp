@@ -63,7 +63,7 @@ Diagnostics first_diagnostics(const Scene& scene, const State& start) {
 void follow(const Scene& scene, const State& before, const StepResult& step, Diagnostics& seen) {
   if (scene.has_heat()) follow_heat(scene, before, step, seen);
   const bool cools = scene.stages[before.stage].cools;
-  if (cools) follow_cooling(step.state, seen.cooling);
+  if (cools) follow_cooling(surface_tension(step.state), seen.cooling);
   if (scene.has_flow() && !cools) follow_flow(scene, before, step, seen);
   if (has_moved(scene, before, step.state)) follow_glass_in_tools(scene, step.state, seen.in_tools);
   for (std::size_t b = 0; b < seen.tables.size(); ++b)

@@ -263,23 +263,24 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
 
 namespace {
 
-/// Brings the tools that first serve in a stage that cools under the glass, so that they touch it.
-void place_under_glass(const Scene& scene, Index stage, State& state) {
+/// How far a place lies along gravity, m.
+double fallen_to(const Stage& stage, const Point& at) {
+  return stage.gravity > 0 ? at[dim - 1] : -at[dim - 1];
+}
+
+}  // namespace
+
+void place_under_glass(const Scene& scene, Index stage, double lowest, State& state) {
   const Stage& cooling = scene.stages[stage];
   if (!cooling.cools || cooling.gravity == 0) return;
-  const double down = cooling.gravity > 0 ? 1 : -1;
-  double lowest = -std::numeric_limits<double>::infinity();
-  for (const Point& x : state.glass.mesh.nodes) lowest = std::max(lowest, down * x[dim - 1]);
   for (const StageTool& entry : cooling.tools) {
     if (first_use(scene, entry.tool) != stage) continue;
     double top = std::numeric_limits<double>::infinity();
     for (const core::Segment& segment : scene.tools[entry.tool].profile.segments)
-      top = std::min({top, down * segment.start[dim - 1], down * segment.end[dim - 1]});
-    state.tools[entry.tool].offset = down * (lowest - top);
+      top = std::min({top, fallen_to(cooling, segment.start), fallen_to(cooling, segment.end)});
+    state.tools[entry.tool].offset = cooling.gravity > 0 ? lowest - top : top - lowest;
   }
 }
-
-}  // namespace
 
 State start_stage(const Scene& scene, const State& state, Index stage) {
   State next = state;
@@ -302,7 +303,9 @@ State start_stage(const Scene& scene, const State& state, Index stage) {
   });
   next.glass.active_contacts = {};
   for (ToolState& tool : next.tools) tool.velocity = tool.slowing = tool.force = tool.end_force = 0;
-  place_under_glass(scene, stage, next);
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (const Point& x : state.glass.mesh.nodes) lowest = std::max(lowest, fallen_to(scene.stages[stage], x));
+  place_under_glass(scene, stage, lowest, next);
   for (const auto& named : scene.stages[stage].named_boundaries) name_boundary(scene, state, named, next.glass.mesh);
   return next;
 }

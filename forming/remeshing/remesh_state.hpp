@@ -22,4 +22,8 @@ RemeshedState remesh_state(const Scene& scene, const State& state, RemeshReason 
 /// released, fields follow their stage-start rule, and the boundaries that the stage names are assigned.
 State start_stage(const Scene& scene, const State& state, Index stage);
 
+/// Brings the tools that first serve in a stage that cools under glass whose lowest place lies so far along gravity, m,
+/// so that they touch it.
+void place_under_glass(const Scene& scene, Index stage, double lowest, State& state);
+
 }  // namespace parison::forming

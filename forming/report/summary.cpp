@@ -242,7 +242,7 @@ std::string summary_json(const Scene& scene, const State& state, const Summary& 
     add_container_in_space(json, summary);
   else
     add_container(json, scene, state, summary.no_wall.empty());
-  add_cooling(json, scene, state, summary);
+  add_cooling(json, summary);
   if (bars) add_errors(json, *bars);
   if (bars && bars->control) add_control(json, *bars->control);
   add_quantities(json, summary.quantities);
@@ -304,6 +304,8 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
         summary.tools.back().faces.emplace_back(scene.tools[i].boundaries[face].name, body.heat_through[face]);
   }
   const auto wall = solid ? std::optional(solid_wall(*solid)) : std::nullopt;
+  summary.cold = wall ? cooled_container(scene, *solid, wall->capacity, state.time)
+                      : cooled_container(scene, state, summary.no_wall.empty());
   if (wall) put_solid(*solid, *wall, summary);
   summary.flags = raised_flags(scene, run.diagnostics.extremes, state.time, summary.thickness);
   if (const auto flag = mould_not_filled(run.filling); flag && run.completed) summary.flags.push_back(*flag);

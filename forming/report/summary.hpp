@@ -9,6 +9,7 @@
 
 #include "forming/diagnostics/diagnostics.hpp"
 #include "forming/report/checks/check.hpp"
+#include "forming/report/cooling/cold_container.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/process/flags.hpp"
 #include "forming/report/process/mould_filling.hpp"
@@ -82,6 +83,7 @@ struct Summary {
   HeatLost heat_lost;
   std::optional<double> capacity_in_space;  ///< of a container that is not round, to its rim, m3
   double outer_within_02mm;                 ///< share of the outer surface within 0.2 mm of an active tool
+  std::optional<CooledContainer> cold;      ///< of a container that has cooled
   FlagsRaised flags;
   Quantities quantities;
 };

@@ -73,7 +73,7 @@ std::string glass_lines(const Scene& scene, const State& state, const Summary& s
                                    ? figures(1e6 * *summary.capacity_in_space, 2) + " ml to the rim"
                                    : capacity_text(scene, state, summary.no_wall.empty());
   if (!capacity.empty()) text += line("capacity", capacity);
-  for (const auto& [label, found] : cooling_lines(scene, state, summary)) text += line(label, found);
+  for (const auto& [label, found] : cooling_lines(summary)) text += line(label, found);
   if (std::isfinite(summary.outer_within_02mm) && !scene.tools.empty())
     text += line("outer surface",
                  fmt::format("{:.1f} % within 0.2 mm of the active tools", 100 * summary.outer_within_02mm));

@@ -94,7 +94,7 @@ RunOutcome finish(RunInProgress& run, const Work& from_here) {
   if (facts.reason.find(facts.unfilled) == std::string::npos) add_warnings({facts.unfilled}, facts);
   add_warnings(remeshing_warnings(state), facts);
   facts.checks = checks(run.scene, state, facts);
-  if (run.outcome.solid) add_solid_checks(run.scene, state, *run.outcome.solid, facts.completed, facts.checks);
+  if (run.outcome.solid) add_solid_checks(run.scene, state, *run.outcome.solid, facts, facts.checks);
   if (facts.completed && !run.outcome.solid) add_warnings(unused_interface_warnings(run.scene, state), facts);
   notify(run, &RunObserver::run_ends);
   return std::move(run.outcome);

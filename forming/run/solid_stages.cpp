@@ -8,10 +8,15 @@
 #include <memory>
 #include <utility>
 
+#include "forming/remeshing/remesh_state.hpp"
+#include "forming/report/cooling/cold_container.hpp"
+#include "forming/report/wall/solid_wall.hpp"
 #include "forming/run/fast_glass.hpp"
 #include "forming/run/room_in_tool.hpp"
+#include "forming/run/stage.hpp"
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_end.hpp"
+#include "forming/solid/solid_memory.hpp"
 #include "forming/solid/solid_step.hpp"
 #include "forming/solid/straighten.hpp"
 #include "forming/step/step_control.hpp"
@@ -51,7 +56,9 @@ std::string cannot_begin(const RunInProgress& run, const SolidState& solid) {
 std::string outgrown(const RunInProgress& run, const SolidState& solid) {
   const Scene& scene = run.scene;
   const Index stage = run.outcome.state.stage;
-  if (stage + 1 >= static_cast<Index>(scene.stages.size()) || !scene.stages[stage].pressure.empty()) return "";
+  if (stage + 1 >= static_cast<Index>(scene.stages.size()) || !scene.stages[stage].pressure.empty() ||
+      scene.stages[stage + 1].cools)
+    return "";
   return larger_than_tool(run, solid, stage + 1, outgrown_from * core::size(scene.glass.profile));
 }
 
@@ -103,17 +110,31 @@ void follow_extremes(const Scene& scene, const State& clock, const SolidState& s
   if (flags.glass_below && temperature < *flags.glass_below) extremes.glass.add_beyond(clock.time, solid.last_step);
 }
 
+/// What the control of steps asks of one of glass that cools.
+StepReport report_of(double dt, const SolidStepOutcome& outcome) {
+  StepReport report;
+  report.dt = dt;
+  report.strain = outcome.flow.strain;
+  report.temperature_change = outcome.temperature_change;
+  return report;
+}
+
 /// Tries a step of length dt, s, and shorter ones up to where a condition ends the stage; `dt` is then that of the
 /// last.
 SolidStepOutcome step_up_to_end(RunInProgress& run, double& dt, SolidState& solid, SolidWorkspace& workspace) {
   const Scene& scene = run.scene;
   const State& clock = run.outcome.state;
   const Stage& stage = scene.stages[clock.stage];
-  if (stage.ends.empty()) return step_solid(scene, clock, dt, solid, workspace);
+  if (stage.ends.empty() && !remembers(solid)) return step_solid(scene, clock, dt, solid, workspace);
   constexpr int most_repeats = 4;
   SolidState before = solid;
   for (int repeats = 0;; ++repeats) {
     SolidStepOutcome outcome = step_solid(scene, clock, dt, solid, workspace);
+    if (outcome.accepted && remembers(solid) && rejected_by_error_control(scene, report_of(dt, outcome))) {
+      solid = before;
+      outcome.accepted = false;
+      outcome.reason = "the temperature of the glass changes too fast";
+    }
     if (!outcome.accepted || repeats == most_repeats) return outcome;
     const double share = share_until_end(stage, end_measure(scene, clock, clock.stage_time, before),
                                          end_measure(scene, clock, clock.stage_time + dt, solid));
@@ -125,19 +146,28 @@ SolidStepOutcome step_up_to_end(RunInProgress& run, double& dt, SolidState& soli
   }
 }
 
+/// The length of the next step, s, after one of length dt that might have had the length `allowed`.
+double next_step(const Scene& scene, const State& clock, const SolidState& solid, double dt, double allowed,
+                 const SolidStepOutcome& outcome) {
+  if (remembers(solid)) return propose_step(scene, clock, report_of(dt, outcome), allowed).dt;
+  return propose_solid_step(scene, clock, solid, allowed);
+}
+
 /// A step that is accepted; false when the shortest is not, and the facts say why.
 bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   State& clock = run.outcome.state;
-  straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid);
+  const bool cools = remembers(solid);  // on a mesh that it keeps
+  if (!cools) straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid);
   double dt = clipped(run.scene, clock, solid.next_step);
   bool rejected = false;
+  SolidStepOutcome outcome;
   for (;;) {
-    const SolidStepOutcome outcome = step_up_to_end(run, dt, solid, workspace);
+    outcome = step_up_to_end(run, dt, solid, workspace);
     if (outcome.accepted) break;
     ++solid.totals.rejected;
     constexpr StraightenLimits before_shorter{0.3, 0.4};
     const bool first = !std::exchange(rejected, true);
-    if (first && straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid, before_shorter)) continue;
+    if (first && !cools && straighten(*run.scene.glass.flow, *run.scene.glass.thermal, solid, before_shorter)) continue;
     dt *= shorten;
     if (dt < run.scene.accuracy.min_step) {
       std::string& reason = run.outcome.facts.reason;
@@ -156,8 +186,21 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
     clock.tools[tool.tool].offset = tool_offset(run.scene, clock, tool.tool, clock.stage_time);
   solid.last_step = dt;
   follow_extremes(run.scene, clock, solid, run.outcome.facts.diagnostics.extremes);
-  solid.next_step = propose_solid_step(run.scene, clock, solid, std::max(dt, rejected ? dt : solid.next_step));
+  solid.next_step =
+      next_step(run.scene, clock, solid, dt, std::max(dt, rejected ? dt : solid.next_step), outcome);
+  if (cools) follow_cooling(surface_tension(solid, clock.time), run.outcome.facts.diagnostics.cooling);
   return true;
+}
+
+/// Lets the glass cool from here on, and notes the container as it is.
+void start_cooling(RunInProgress& run, SolidState& solid) {
+  const SolidExtent size = extent_of(solid);
+  CoolingSeen& seen = run.outcome.facts.diagnostics.cooling;
+  seen.capacity = solid_wall(solid).capacity;
+  seen.height = size.high - size.low;
+  seen.diameter = 2 * size.radius;
+  seen.volume = whole_volume(solid);
+  begin_cooling(solid);
 }
 
 /// False where the present places of glass and tools do not let it; the facts say why.
@@ -166,7 +209,12 @@ bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   clock.stage = stage;
   clock.stage_time = 0;
   clock.stage_start = clock.time;
-  solid.next_step = propose_solid_step(run.scene, clock, solid, 0);
+  clock.last_step = 0;
+  const Stage& entered = run.scene.stages[stage];
+  const SolidExtent size = extent_of(solid);
+  place_under_glass(run.scene, stage, entered.gravity > 0 ? size.high : -size.low, clock);
+  if (entered.cools && !remembers(solid)) start_cooling(run, solid);
+  solid.next_step = first_step(run.scene, stage);
   solid.glass.velocity.resize(0);  // pressures jump between stages
   notify(run, &RunObserver::stage_begins);
   return !ends_by(run, cannot_begin(run, solid));

@@ -60,13 +60,6 @@ bool has_own_mesh(const Body& body) {
   return body.mesh.size || body.mesh.contact_size || body.mesh.growth || body.mesh.mapped;
 }
 
-/// s. Nothing presses in a stage that cools.
-double first_step(const Scene& scene, Index stage) {
-  constexpr double share = 1e-3;  // of its duration
-  const double usual = scene.accuracy.initial_step;
-  return scene.stages[stage].cools ? std::max(usual, share * scene.stages[stage].duration) : usual;
-}
-
 /// New meshes of the glass at the start of a stage. Its first mesh does not know the temperatures that the glass starts
 /// with: where they vary, meshes follow each other until they resolve them, and each takes them from the case again.
 bool remesh_at_start(RunInProgress& run, Index stage) {
@@ -93,6 +86,12 @@ void start_cooling(RunInProgress& run) {
 }
 
 }  // namespace
+
+double first_step(const Scene& scene, Index stage) {
+  constexpr double share = 1e-3;  // of its duration
+  const double usual = scene.accuracy.initial_step;
+  return scene.stages[stage].cools ? std::max(usual, share * scene.stages[stage].duration) : usual;
+}
 
 std::string after_press(const RunFacts& facts, const std::string& failure) {
   if (failure.empty() || facts.unfilled.empty()) return failure;

@@ -14,6 +14,9 @@ std::string first_stage_failure(const Scene& scene);
 /// Why a stage cannot begin, after what the press before has left unfilled where it has; empty when it can.
 std::string after_press(const RunFacts& facts, const std::string& failure);
 
+/// Length of the first step of a stage, s. Nothing presses in one that cools.
+double first_step(const Scene& scene, Index stage);
+
 /// Enters a stage; false when it cannot begin, and the facts say why.
 bool begin_stage(RunInProgress& run, Index stage);
 

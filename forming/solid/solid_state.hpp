@@ -51,6 +51,9 @@ struct SolidState {
   Eigen::VectorXd temperature_rate;         ///< of the last step, K/s; empty: none
   Eigen::VectorXd contact_opening;  ///< by point of SolidGlass::contact, of the gap beyond that at first touch, m;
                                     ///< empty where no contact law has a gap
+  Eigen::VectorXd branch_stress;        ///< deviator, flow::tensor_entries of each branch of each of the cells'
+                                        ///< flow::memory_points, Pa; empty until the glass cools
+  Eigen::VectorXd fictive_temperature;  ///< of each branch of each point, K
   std::vector<SolidTool> tools;
   double share = 1;                                       ///< of the whole turn
   double last_step = 0, next_step = 0, heat_substep = 0;  ///< s

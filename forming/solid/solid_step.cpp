@@ -7,6 +7,8 @@
 
 #include "core/process/run_error.hpp"
 #include "core/solid/hex_geometry.hpp"
+#include "forming/solid/flow/step_parts.hpp"
+#include "forming/solid/solid_memory.hpp"
 #include "forming/solid/solid_openings.hpp"
 
 namespace parison::forming {
@@ -67,6 +69,88 @@ Eigen::VectorXd middle_temperature(const SolidState& solid, double dt) {
   return solid.glass.temperature + change.max(-farthest).min(farthest).matrix();
 }
 
+/// Moves the glass with the temperatures expected in the middle of the step, then conducts heat.
+void step_forming(const Scene& scene, const State& clock, double dt, const flow::SolidProblem& problem,
+                  const std::vector<std::size_t>& places, SolidState& solid, SolidWorkspace& workspace,
+                  SolidStepOutcome& outcome) {
+  const flow::SolidGlass before = solid.glass;
+  count_tools_of_flow(places, solid);
+  const Eigen::VectorXd temperature = std::exchange(solid.glass.temperature, middle_temperature(solid, dt));
+  try {
+    outcome.flow = flow::step_flow(problem, *workspace.flow, solid.glass, dt);
+  } catch (const core::RunError& error) {
+    outcome.reason = error.what();
+  }
+  solid.glass.temperature = temperature;
+  if (outcome.flow.accepted) {
+    count_tools_of_solid(places, solid);
+    outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
+  } else if (outcome.reason.empty()) {
+    outcome.reason = "a step would fold a cell of the glass";
+  }
+  if (outcome.reason.empty())
+    advance_openings(scene, clock, dt, before, solid);
+  else
+    solid.glass = before;
+}
+
+/// The largest change of temperature in a step, K, with its weight.
+double weighted_change(const cooling::GlassLaw& law, const SolidMemoryStep& step, const SolidState& before,
+                       const SolidState& solid) {
+  const Eigen::VectorXd change = (solid.glass.temperature - before.glass.temperature).cwiseAbs();
+  double largest = 0;
+  for (std::size_t cell = 0; cell < solid.glass.mesh.cells.size(); ++cell) {
+    double of_cell = 0;
+    for (const Index node : solid.glass.mesh.cells[cell]) of_cell = std::max(of_cell, change[node]);
+    const auto* points = &step.relaxation[flow::memory_points * cell];
+    largest = std::max(largest, of_cell * cooling::weight_of_change(law, points, flow::memory_points));
+  }
+  return largest;
+}
+
+/// How far cooling glass that nothing holds sinks in a step, m: without such a drag no balance would be found. As it
+/// moves by micrometres, the drag is less than a hundredth of its weight.
+constexpr double free_fall = 1e-3;
+
+/// Of what the glass rests on, Pa/m. Belts and plates give way, and what bears a container decides no stress: under the
+/// weight of a column of its height it sinks in by micrometres.
+double bedding(const flow::SolidProblem& problem, const flow::SolidGlass& glass) {
+  constexpr double depth = 1e-6;  // m
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Vector3& at : glass.mesh.nodes) low = std::min(low, at[2]), high = std::max(high, at[2]);
+  return problem.material->density * std::abs(problem.gravity) * (high - low) / depth;
+}
+
+/// The same of glass that remembers its stress: heat, then the balance of forces at the temperatures that it gave.
+void step_cooling(const Scene& scene, const State& clock, double dt, flow::SolidProblem& problem,
+                  const std::vector<std::size_t>& places, SolidState& solid, SolidWorkspace& workspace,
+                  SolidStepOutcome& outcome) {
+  const cooling::GlassLaw& law = *scene.glass.annealing;
+  const SolidState before = solid;
+  outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
+  if (outcome.reason.empty()) {
+    SolidMemoryStep memory = start_memory_step(law, solid, before.glass.temperature, dt);
+    memory.flow.bedding = bedding(problem, solid.glass);
+    memory.flow.drag = problem.material->density * std::abs(problem.gravity) * dt / free_fall;
+    problem.memory = &memory.flow;
+    count_tools_of_flow(places, solid);
+    try {
+      outcome.flow = flow::step_cooling(problem, *workspace.flow, solid.glass, dt);
+    } catch (const core::RunError& error) {
+      outcome.reason = error.what();
+    }
+    if (outcome.flow.accepted) {
+      end_memory_step(memory, flow::moved(before.glass.mesh, solid.glass.velocity, 0.5 * dt), dt, solid);
+      count_tools_of_solid(places, solid);
+      advance_openings(scene, clock, dt, before.glass, solid);
+      outcome.temperature_change = weighted_change(law, memory, before, solid);
+      return;
+    }
+    if (outcome.reason.empty()) outcome.reason = "a step would fold a cell of the glass";
+  }
+  solid = before;
+}
+
 }  // namespace
 
 double tool_offset(const Scene& scene, const State& clock, Index tool, double stage_time) {
@@ -79,31 +163,15 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
                             SolidWorkspace& workspace) {
   SolidStepOutcome outcome;
   std::vector<std::size_t> places;
-  const flow::SolidProblem problem = flow_problem(scene, clock, solid, dt, places);
+  flow::SolidProblem problem = flow_problem(scene, clock, solid, dt, places);
   if (!workspace.flow)
     workspace.flow = std::make_unique<flow::FlowMatrix>(solid.first_mesh, problem.planes, problem.fixed);
-  const flow::SolidGlass before = solid.glass;
-  count_tools_of_flow(places, solid);
-  const Eigen::VectorXd temperature = std::exchange(solid.glass.temperature, middle_temperature(solid, dt));
-  try {
-    outcome.flow = flow::step_flow(problem, *workspace.flow, solid.glass, dt);
-  } catch (const core::RunError& error) {
-    outcome.reason = error.what();
-  }
-  solid.glass.temperature = temperature;
-  if (!outcome.flow.accepted) {
-    if (outcome.reason.empty()) outcome.reason = "a step would fold a cell of the glass";
-    solid.glass = before;
-    return outcome;
-  }
-  count_tools_of_solid(places, solid);
+  if (remembers(solid))
+    step_cooling(scene, clock, dt, problem, places, solid, workspace, outcome);
+  else
+    step_forming(scene, clock, dt, problem, places, solid, workspace, outcome);
+  if (!outcome.flow.accepted || !outcome.reason.empty()) return outcome;
   for (std::size_t i = 0; i < places.size(); ++i) solid.tools[places[i]].force = outcome.flow.tool_forces[i];
-  outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
-  if (!outcome.reason.empty()) {
-    solid.glass = before;
-    return outcome;
-  }
-  advance_openings(scene, clock, dt, before, solid);
   outcome.accepted = true;
   ++solid.totals.steps;
   solid.totals.factors += outcome.flow.factors;
@@ -113,7 +181,7 @@ SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, S
 }
 
 double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double allowed) {
-  if (allowed == 0 || solid.glass.velocity.size() == 0) return scene.accuracy.initial_step;
+  if (solid.glass.velocity.size() == 0) return scene.accuracy.initial_step;
   std::vector<std::size_t> places;
   const flow::SolidProblem problem = flow_problem(scene, clock, solid, allowed, places);
   flow::SolidStepLimits limits;

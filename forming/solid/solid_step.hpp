@@ -19,6 +19,7 @@ struct SolidStepOutcome {
   bool accepted = false;
   std::string reason;  ///< why not, a sentence
   flow::SolidStep flow;
+  double temperature_change = 0;  ///< of glass that cools: the largest, K, with its weight (cooling::weighted_change)
 };
 
 /// Moves the glass over dt, s, from the time of `clock`, which has the stage and the places of tools at the start of
@@ -26,7 +27,7 @@ struct SolidStepOutcome {
 SolidStepOutcome step_solid(const Scene& scene, const State& clock, double dt, SolidState& solid,
                             SolidWorkspace& workspace);
 
-/// The length, s, of the next step after one that might have had the length `allowed`, s; 0 for the first of a stage.
+/// The length, s, of the next step after one that might have had the length `allowed`, s.
 double propose_solid_step(const Scene& scene, const State& clock, const SolidState& solid, double allowed);
 
 /// The place along the axis of a tool at a time since the present stage's start, m.

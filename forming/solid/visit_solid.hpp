@@ -24,6 +24,8 @@ void visit_solid(Visitor visit, Solid& solid, const std::vector<Index>& without 
   visit("point_mass", solid.point_mass);
   visit("temperature_rate", solid.temperature_rate);
   visit("contact_opening", solid.contact_opening);
+  visit("branch_stress", solid.branch_stress);
+  visit("fictive_temperature", solid.fictive_temperature);
   visit("last_step", solid.last_step);
   visit("next_step", solid.next_step);
   visit("heat_substep", solid.heat_substep);

@@ -12,6 +12,7 @@
 #include "forming/report/container/container_report.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/step/balance/work.hpp"
+#include "forming/step/cooling/cooling_step.hpp"
 
 namespace parison::forming {
 
@@ -41,18 +42,22 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
   add_capacity_check(capacity, drawn, checks);
 }
 
-namespace {
-
-/// Whether a container has sunk while it cooled.
-void add_sag_check(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
-  const CoolingSeen& seen = facts.diagnostics.cooling;
-  const auto container = facts.completed && seen.height > 0 ? container_report(scene, state, true) : std::nullopt;
-  if (!container || !(container->size.height > 0)) return;
+void add_sag_check(double sag, Checks& checks) {
   constexpr double most = 5e-3;
-  const double volume = core::volume(state.glass.mesh, scene.geometry);
-  checks.push_back({"sag", std::abs(seen.sag(container->size.height, volume)), most, no_limit, "%",
+  checks.push_back({"sag", std::abs(sag), most, no_limit, "%",
                     "after the mould the container became so much lower or higher than shrinkage makes it: it was "
                     "taken out too hot, its plate or its air are too hot, or it stood too long before it set"});
+}
+
+namespace {
+
+/// Of a round container.
+void add_sag_check(const Scene& scene, const State& state, const RunFacts& facts, Checks& checks) {
+  const CoolingSeen& seen = facts.diagnostics.cooling;
+  const bool is_cold = facts.completed && seen.height > 0 && remembers(state);
+  const auto container = is_cold ? container_report(scene, state, true) : std::nullopt;
+  if (!container || !(container->size.height > 0)) return;
+  add_sag_check(seen.sag(container->size.height, core::volume(state.glass.mesh, scene.geometry)), checks);
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ void add_capacity_checks(const Scene& scene, const State& state, const RunFacts&
 /// That of the capacity of the formed glass beside the one drawn, m3.
 void add_capacity_check(double capacity, double drawn, Checks& checks);
 
+/// That of a container that has sunk while it cooled, by such a share of its height.
+void add_sag_check(double sag, Checks& checks);
+
 /// That of glass hotter than all that can heat it, of a scene with heat and flow.
 void add_hot_glass_check(const Scene& scene, const State& state, const HotGlass& hot, Checks& checks);
 /// By how much glass was hotter than all that can heat it, when and where; empty where it was so by no more than is

@@ -13,7 +13,8 @@
 
 namespace parison::forming {
 
-void add_solid_checks(const Scene& scene, const State& clock, const SolidState& solid, bool completed, Checks& checks) {
+void add_solid_checks(const Scene& scene, const State& clock, const SolidState& solid, const RunFacts& facts,
+                      Checks& checks) {
   constexpr double kept = 1e-6, lost = 1e-3;
   checks.push_back({"solid_volume", solid.totals.volume_error, kept, lost, "",
                     "a cell of the glass in space had another volume than its mass and temperature give it"});
@@ -27,11 +28,17 @@ void add_solid_checks(const Scene& scene, const State& clock, const SolidState& 
                                 overlap.tool < 0 ? "no tool" : scene.tools[overlap.tool].name, 1e3 * overlap.at[0],
                                 1e3 * overlap.at[1], 1e3 * overlap.at[2]),
                     CheckKind::resolution});
-  if (!completed || !scene.container || !scene.container->capacity) return;
-  const double volume = core::cell_volumes(solid.glass.mesh).sum() / solid.share;
+  if (!facts.completed) return;
+  const CoolingSeen& seen = facts.diagnostics.cooling;
+  const bool cooled = seen.volume > 0;
+  if (cooled) {
+    const SolidExtent extent = extent_of(solid);
+    add_sag_check(seen.sag(extent.high - extent.low, whole_volume(solid)), checks);
+  }
+  if (!scene.container || !scene.container->capacity) return;
+  const double volume = cooled ? seen.volume : whole_volume(solid);
   const double drawn = *scene.container->capacity + scene.container->glass_volume - volume;
-  const double capacity = solid_wall(solid).capacity;
-  add_capacity_check(capacity, drawn, checks);
+  add_capacity_check(cooled ? seen.capacity : solid_wall(solid).capacity, drawn, checks);
 }
 
 }  // namespace parison::forming

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "forming/report/cooling/residual_stress.hpp"
+#include "forming/solid/solid_memory.hpp"
 #include "forming/state/sample.hpp"
 #include "forming/step/cooling/cooling_step.hpp"
 
@@ -67,6 +68,42 @@ BaseView base_view(const Scene& scene, const GlassState& glass, int up) {
     view.radius.push_back(radius);
     view.thickness.push_back(thickness);
     view.retardation.push_back(stress_optical * difference_along(glass.mesh, stress, radius, through[0], through[1]));
+  }
+  return view;
+}
+
+BaseView base_view(const SolidState& solid, int up) {
+  constexpr double steep = 0.9;  // of a column: what leans more is wall
+  BaseView view;
+  if (!remembers(solid)) return view;
+  const NodalTensors stress = nodal_stress(solid);
+  const auto& nodes = solid.glass.mesh.nodes;
+  double lowest = -std::numeric_limits<double>::infinity(), highest = lowest;
+  for (const auto& x : nodes) lowest = std::max(lowest, -up * x[2]), highest = std::max(highest, up * x[2]);
+  struct Ray {
+    double radius, thickness, retardation;
+  };
+  std::vector<Ray> rays;
+  for (const auto& column : solid.columns) {
+    const core::Vector3 outer = nodes[column.back()], through = nodes[column.front()] - outer;
+    const double half_way = 0.5 * (highest - lowest);  // the wall from there on is not of the base
+    if (up * through[2] < steep * through.norm() || up * outer[2] > half_way) continue;
+    double normal = 0, shear = 0;
+    for (std::size_t i = 0; i + 2 < column.size(); i += 2) {  // Simpson's rule in each cell
+      const double length = std::abs(nodes[column[i + 2]][2] - nodes[column[i]][2]) / 6;
+      for (const auto& [node, weight] :
+           {std::pair(column[i], 1.0), std::pair(column[i + 1], 4.0), std::pair(column[i + 2], 1.0)}) {
+        normal += weight * length * (stress(0, node) - stress(1, node));
+        shear += weight * length * stress(5, node);
+      }
+    }
+    rays.push_back({std::hypot(outer[0], outer[1]), std::abs(through[2]), stress_optical * std::hypot(normal, 2 * shear)});
+  }
+  std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.radius < b.radius; });
+  for (const Ray& ray : rays) {
+    view.radius.push_back(ray.radius);
+    view.thickness.push_back(ray.thickness);
+    view.retardation.push_back(ray.retardation);
   }
   return view;
 }

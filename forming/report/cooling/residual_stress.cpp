@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/math/numbers.hpp"
+#include "forming/report/container/container_report.hpp"
 #include "forming/step/cooling/cooling_step.hpp"
 #include "thermal/properties.hpp"
 
@@ -15,11 +16,6 @@ namespace parison::forming {
 namespace {
 
 constexpr double megapascal = 1e6, nanometre = 1e-9, millilitre = 1e-6;
-
-/// 1 where the container stands along the axis, -1 against it.
-int upwards(const Scene& scene) {
-  return scene.stages.back().gravity > 0 ? -1 : 1;
-}
 
 std::string place(const SurfaceTension& tension) {
   return fmt::format("{:.2f} MPa at ({:.1f}, {:.1f}) mm", tension.stress / megapascal, tension.at[0] / core::millimetre,
@@ -73,13 +69,13 @@ struct NodalStress {
   Eigen::ArrayXd principal() const { return hoop.max(mean + radius); }  ///< the largest
 };
 
-std::string container_text(const CoolingSeen& seen, const ContainerReport& cold, double volume) {
+std::string container_text(const CoolingSeen& seen, const CooledContainer& cold) {
   std::string text = fmt::format(
       "{:.5g} mm high and {:.4g} mm wide, hot {:.5g} and {:.4g} mm; shrunk by {:.2f} %, "
       "sunk by {:.2f} %",
-      cold.size.height / core::millimetre, cold.size.diameter / core::millimetre, seen.height / core::millimetre,
-      seen.diameter / core::millimetre, 100 * (1 - std::cbrt(volume / seen.volume)),
-      100 * seen.sag(cold.size.height, volume));
+      cold.height / core::millimetre, cold.diameter / core::millimetre, seen.height / core::millimetre,
+      seen.diameter / core::millimetre, 100 * (1 - std::cbrt(cold.volume / seen.volume)),
+      100 * seen.sag(cold.height, cold.volume));
   if (cold.capacity && seen.capacity > 0)
     text = fmt::format("{:.5g} ml, hot {:.5g} ml ({:+.2f} %); ", *cold.capacity / millilitre,
                        seen.capacity / millilitre, 100 * (*cold.capacity / seen.capacity - 1)) +
@@ -88,6 +84,21 @@ std::string container_text(const CoolingSeen& seen, const ContainerReport& cold,
 }
 
 }  // namespace
+
+std::optional<CooledContainer> cooled_container(const Scene& scene, const State& state, bool has_wall) {
+  if (!remembers(state)) return {};
+  CooledContainer cold;
+  cold.tension = surface_tension(state);
+  cold.largest_tension = megapascal * std::max(0.0, NodalStress(state.glass).principal().maxCoeff());
+  cold.base = base_view(scene, state.glass, scene.stages.back().gravity > 0 ? -1 : 1);
+  cold.volume = core::volume(state.glass.mesh, scene.geometry);
+  if (const auto container = container_report(scene, state, has_wall)) {
+    cold.height = container->size.height;
+    cold.diameter = container->size.diameter;
+    cold.capacity = container->capacity;
+  }
+  return cold;
+}
 
 void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFields& fields) {
   if (glass.branch_stress.size() == 0) return;
@@ -101,28 +112,26 @@ void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFie
                           (nodal_fictive_temperature(scene, glass).array() - thermal::content_reference).matrix()});
 }
 
-void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state, const Summary& summary) {
-  if (!remembers(state)) return;
+void add_cooling(core::JsonWriter& json, const Summary& summary) {
+  if (!summary.cold) return;
+  const CooledContainer& cold = *summary.cold;
   const CoolingSeen& seen = summary.run.diagnostics.cooling;
-  const SidesTension now = surface_tension(state);
   json.open_object("cooling");
   if (seen.capacity > 0) json.add("hot_capacity_ml", seen.capacity / millilitre);
   if (seen.height > 0) json.add("hot_height_mm", seen.height / core::millimetre);
   if (seen.diameter > 0) json.add("hot_diameter_mm", seen.diameter / core::millimetre);
-  const double volume = core::volume(state.glass.mesh, scene.geometry);
-  json.add("contraction", 1 - std::cbrt(volume / seen.volume));
-  if (const auto cold = container_report(scene, state, summary.no_wall.empty()); cold && seen.height > 0)
-    json.add("sag", seen.sag(cold->size.height, volume));
-  add_tension(json, "residual_outer", now.outer);
-  add_tension(json, "residual_inner", now.inner);
+  json.add("contraction", 1 - std::cbrt(cold.volume / seen.volume));
+  if (cold.height > 0 && seen.height > 0) json.add("sag", seen.sag(cold.height, cold.volume));
+  add_tension(json, "residual_outer", cold.tension.outer);
+  add_tension(json, "residual_inner", cold.tension.inner);
   add_tension(json, "largest_outer", seen.largest.outer);
   add_tension(json, "largest_inner", seen.largest.inner);
-  add_base(json, base_view(scene, state.glass, upwards(scene)));
+  add_base(json, cold.base);
   json.close();
 }
 
 void add_cooling_quantities(const Scene& scene, const State& state, const Summary& summary, Quantities& found) {
-  if (!remembers(state)) return;
+  if (!summary.cold) return;
   constexpr double hardly_any = 0.1;  // MPa; tension that does not matter to the strength of glass
   const auto add = [&](const char* name, const char* unit, double value, double least_scale) {
     found.values.push_back({name, unit, value, std::max(value, least_scale)});
@@ -131,12 +140,12 @@ void add_cooling_quantities(const Scene& scene, const State& state, const Summar
   const auto on_surface = [](const SidesTension& at) {
     return std::max(at.outer.stress, at.inner.stress) / megapascal;
   };
-  if (const BaseView base = base_view(scene, state.glass, upwards(scene)); !base.radius.empty()) {
+  if (const BaseView& base = summary.cold->base; !base.radius.empty()) {
     const std::size_t most = base.largest();
     add("temper_number", "", real_temper_number(base.retardation[most], base.thickness[most]), 1);
   }
-  add_tension("residual_tension", std::max(0.0, NodalStress(state.glass).principal().maxCoeff()));
-  add_tension("residual_tension_surface", on_surface(surface_tension(state)));
+  add_tension("residual_tension", summary.cold->largest_tension / megapascal);
+  add_tension("residual_tension_surface", on_surface(summary.cold->tension));
   add_tension("cooling_tension_surface", on_surface(summary.run.diagnostics.cooling.largest));
   for (std::size_t i = 0; i < summary.run.stages.size(); ++i)
     if (scene.stages[i].cools) {
@@ -155,16 +164,16 @@ std::vector<std::pair<const char*, const char*>> cooling_quantities_of(const Sce
           {"cooling_time", "s"}};
 }
 
-std::vector<LabelledText> cooling_lines(const Scene& scene, const State& state, const Summary& summary) {
-  if (!remembers(state)) return {};
+std::vector<LabelledText> cooling_lines(const Summary& summary) {
+  if (!summary.cold) return {};
+  const CooledContainer& cold = *summary.cold;
   const CoolingSeen& seen = summary.run.diagnostics.cooling;
   std::vector<LabelledText> lines;
-  if (const auto cold = container_report(scene, state, summary.no_wall.empty()); cold && seen.height > 0)
-    lines.push_back({"cold container", container_text(seen, *cold, core::volume(state.glass.mesh, scene.geometry))});
-  lines.push_back({"residual tension", sides(surface_tension(state))});
+  if (cold.height > 0 && seen.height > 0) lines.push_back({"cold container", container_text(seen, cold)});
+  lines.push_back({"residual tension", sides(cold.tension)});
   lines.push_back(
       {"tension while cooling", fmt::format("{}, after {:.0f} s", sides(seen.largest), seen.largest.outer.time)});
-  if (const BaseView base = base_view(scene, state.glass, upwards(scene)); !base.radius.empty()) {
+  if (const BaseView& base = cold.base; !base.radius.empty()) {
     const std::size_t most = base.largest();
     lines.push_back(
         {"temper number",

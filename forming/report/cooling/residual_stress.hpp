@@ -7,21 +7,9 @@
 
 #include "core/io/json.hpp"
 #include "core/io/vtu.hpp"
-#include "forming/report/container/container_report.hpp"
 #include "forming/report/summary.hpp"
 
 namespace parison::forming {
-
-/// The base as a polariscope shows it, seen along the axis: retardation of light at a distance from the axis.
-struct BaseView {
-  std::vector<double> radius, thickness;  ///< m; of the glass that the light passes
-  std::vector<double> retardation;        ///< m; positive where the radial stress is the larger
-
-  std::size_t largest() const;  ///< index of the largest, without sign
-};
-/// Of an axisymmetric container with stress that stands as `up` says (1 along the axis, -1 against it), as far as its
-/// base reaches; empty where there is none.
-BaseView base_view(const Scene& scene, const GlassState& glass, int up);
 
 /// Temper numbers of ASTM C148: apparent, by the retardation, m, and real, for a standard thickness.
 double apparent_temper_number(double retardation);
@@ -30,7 +18,7 @@ double real_temper_number(double retardation, double thickness);
 /// Stress and fictive temperature at the nodes, for the VTU files: nothing of glass that has not cooled.
 void add_stress_fields(const Scene& scene, const GlassState& glass, core::VtuFields& fields);
 /// The object `cooling` of summary.json: hot and cold container, tensions, temper number.
-void add_cooling(core::JsonWriter& json, const Scene& scene, const State& state, const Summary& summary);
+void add_cooling(core::JsonWriter& json, const Summary& summary);
 /// Adds what a search or a comparison asks of the cold container: `temper_number` (real, of the base), principal
 /// tension in MPa, `residual_tension` anywhere in the glass, `residual_tension_surface`, `cooling_tension_surface` at
 /// any time while it cooled, and `cooling_time`, s, from the take-out to the end. Nothing of glass that has not cooled.
@@ -42,6 +30,6 @@ std::vector<std::pair<const char*, const char*>> cooling_quantities_of(const Sce
 struct LabelledText {
   std::string label, text;
 };
-std::vector<LabelledText> cooling_lines(const Scene& scene, const State& state, const Summary& summary);
+std::vector<LabelledText> cooling_lines(const Summary& summary);
 
 }  // namespace parison::forming

@@ -10,6 +10,7 @@
 #include "core/io/written_files.hpp"
 #include "forming/report/wall/meridian.hpp"
 #include "forming/report/wall/solid_picture.hpp"
+#include "forming/solid/solid_memory.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -81,6 +82,12 @@ core::VtuFields glass_fields_of(const State& clock, const SolidState& solid) {
   const NodalContact contact = nodal_contact(solid);
   fields.nodal.push_back({"share_in_contact", contact.share});
   fields.nodal.push_back({"contact_pressure_Pa", contact.pressure});
+  if (remembers(solid)) {
+    const NodalTensors stress = nodal_stress(solid);
+    Eigen::VectorXd principal(stress.cols());
+    for (Index n = 0; n < stress.cols(); ++n) principal[n] = 1e-6 * largest_principal(stress.col(n));
+    fields.nodal.push_back({"stress_principal_MPa", principal});
+  }
   return fields;
 }
 

@@ -108,10 +108,6 @@ std::vector<long> shell_of(const std::array<long, 9>& node, bool is_reversed) {
 
 }  // namespace
 
-double whole_volume(const SolidState& solid) {
-  return core::cell_volumes(solid.glass.mesh).sum() / solid.share;
-}
-
 SmoothSolid write_step(const std::string& path, const SolidState& solid) {
   static auto& sew = core::gmsh_function<decltype(parison_sew_solid)>("parison_sew_solid");
   const std::vector<SplinePatch> patches = wall_patches(solid);

@@ -3,12 +3,10 @@
 #include <string>
 
 #include "forming/report/solid/solid_files.hpp"
+#include "forming/report/wall/solid_wall.hpp"
 #include "forming/solid/solid_state.hpp"
 
 namespace parison::forming {
-
-/// Volume of the glass of the whole container, m3.
-double whole_volume(const SolidState& solid);
 
 /// A STEP file of a container in space.
 struct SmoothSolid {

@@ -7,6 +7,7 @@
 #include "core/math/numbers.hpp"
 #include "core/solid/hex_geometry.hpp"
 #include "forming/report/wall/meridian.hpp"
+#include "forming/solid/solid_memory.hpp"
 #include "thermal/properties.hpp"
 
 namespace parison::forming {
@@ -55,7 +56,7 @@ std::optional<MeridianPlace> meridian_place(std::size_t profile_point) {
 
 void put_solid(const SolidState& solid, const SolidWall& wall, Summary& summary) {
   GlassFacts& glass = summary.glass;
-  glass.volume = core::cell_volumes(solid.glass.mesh).sum() / solid.share;
+  glass.volume = whole_volume(solid);
   glass.mass = solid.point_mass.sum() / solid.share;
   glass.mean = mean_temperature(solid);
   glass.lowest = solid.glass.temperature.minCoeff();
@@ -64,7 +65,7 @@ void put_solid(const SolidState& solid, const SolidWall& wall, Summary& summary)
   summary.thickness = {thinnest.thickness, wall.mean, thickest.thickness, in_plane(thinnest.at), in_plane(thickest.at)};
   summary.beside_finish = thickness_range({});
   summary.no_wall.clear();
-  summary.outer_within_02mm = wall.near_tools;
+  summary.outer_within_02mm = remembers(solid) ? core::none : wall.near_tools;
   summary.capacity_in_space = wall.capacity;
   summary.heat_lost.to_tools += solid.totals.to_tools / solid.share;
   summary.heat_lost.to_air += solid.totals.to_air / solid.share;
@@ -88,16 +89,10 @@ Quantities solid_quantities(const Scene& scene, const State& state, const Summar
                        {"thickness_min", "mm", least, least, core::none, in_plane(wall.points[wall.thinnest].at)}});
   found.profile = profile_of(solid, wall);
   set(found, "glass_skin", skin_temperature(wall) - thermal::content_reference);
-  core::Vector3 low = core::Vector3::Constant(HUGE_VAL), high = -low;
-  double widest = 0;
-  for (const core::Vector3& at : solid.glass.mesh.nodes) {
-    low = low.cwiseMin(at);
-    high = high.cwiseMax(at);
-    widest = std::max(widest, std::hypot(at[0], at[1]));
-  }
-  set(found, "extent_r_max", 1e3 * widest);
-  set(found, "extent_z_min", 1e3 * low[2]);
-  set(found, "extent_z_max", 1e3 * high[2]);
+  const SolidExtent extent = extent_of(solid);
+  set(found, "extent_r_max", 1e3 * extent.radius);
+  set(found, "extent_z_min", 1e3 * extent.low);
+  set(found, "extent_z_max", 1e3 * extent.high);
   return found;
 }
 

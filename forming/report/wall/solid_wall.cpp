@@ -108,6 +108,20 @@ SolidWall solid_wall(const SolidState& solid) {
   return wall;
 }
 
+SolidExtent extent_of(const SolidState& solid) {
+  SolidExtent extent{HUGE_VAL, -HUGE_VAL, 0};
+  for (const Vector3& at : solid.glass.mesh.nodes) {
+    extent.low = std::min(extent.low, at[2]);
+    extent.high = std::max(extent.high, at[2]);
+    extent.radius = std::max(extent.radius, std::hypot(at[0], at[1]));
+  }
+  return extent;
+}
+
+double whole_volume(const SolidState& solid) {
+  return core::cell_volumes(solid.glass.mesh).sum() / solid.share;
+}
+
 double mean_temperature(const SolidState& solid) {
   const core::CellTable& table = core::hexahedron_table();
   Eigen::VectorXd local(table.nodes());

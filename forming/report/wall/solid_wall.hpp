@@ -26,6 +26,14 @@ struct SolidWall {
 };
 SolidWall solid_wall(const SolidState& solid);
 
+/// The space that glass takes: along the axis and from it, m.
+struct SolidExtent {
+  double low, high, radius;
+};
+SolidExtent extent_of(const SolidState& solid);
+/// Of the whole container, m3.
+double whole_volume(const SolidState& solid);
+
 /// Mean temperature of glass in space by mass, K.
 double mean_temperature(const SolidState& solid);
 

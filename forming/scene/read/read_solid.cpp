@@ -93,7 +93,6 @@ void check_solid_stage(const Stage& stage, const CaseNode& node) {
                                    "computed yet",
                                    what));
   };
-  if (stage.cools) refuse("a stage of cooling after the mould");
   if (stage.trapped_air) refuse("trapped air");
   for (const EndCondition& end : stage.ends)
     if (end.kind == EndCondition::Kind::force) refuse("a force that ends the stage");

@@ -65,16 +65,29 @@ void FlowMatrix::assemble(const SolidProblem& problem, const HexMesh& mesh, cons
                           const Eigen::VectorXd& velocity) {
   set_given(problem);
   std::fill(assembly_.matrix.value.begin(), assembly_.matrix.value.end(), 0.0);
+  if (problem.memory) {
+    memory_force_ = Eigen::VectorXd::Zero(3 * mesh.node_count());
+    memory_expansion_.resize(4 * mesh.cell_count());
+  }
   HexMatrices computed;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    CellState own{core::cell_nodes(mesh, cell), {}, {}};
+    CellState own{core::cell_nodes(mesh, cell), {}, {}, cell};
     for (int n = 0; n < HexMesh::nodes_per_cell; ++n) {
       own.temperature[n] = temperature[nodes_[cell][n]];
       own.velocity.col(n) = velocity.segment<3>(3 * nodes_[cell][n]);
     }
     compute_cell(problem, own, computed);
-    cells_[cell] = {computed.divergence, penalty_factor * computed.mean_viscosity * computed.mass.inverse(),
-                    computed.moment, computed.share, computed.mean_viscosity};
+    // Elastic volume makes the pressure at once: p = p0 + K dt M^-1 (s - B v).
+    const double penalty = problem.memory ? problem.memory->bulk : penalty_factor * computed.mean_viscosity;
+    cells_[cell] = {computed.divergence, penalty * computed.mass.inverse(), computed.moment, computed.share,
+                    computed.mean_viscosity};
+    if (problem.memory) {
+      for (int n = 0; n < HexMesh::nodes_per_cell; ++n)
+        memory_force_.segment<3>(3 * nodes_[cell][n]) += computed.memory_force.segment<3>(3 * n);
+      memory_expansion_.segment<4>(4 * cell) = computed.memory_expansion;
+      computed.viscous.diagonal().array() +=
+          problem.memory->drag * computed.moment[0] / HexMesh::nodes_per_cell;
+    }
     computed.viscous.noalias() += computed.divergence.transpose() * (cells_[cell].penalty * computed.divergence);
     add(cell, computed.viscous);
   }

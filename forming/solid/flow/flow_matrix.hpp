@@ -36,6 +36,10 @@ class FlowMatrix {
   /// Pressures after a solution with `pressure`.
   Eigen::VectorXd corrected_pressure(const Eigen::VectorXd& velocity, const Eigen::VectorXd& pressure,
                                      const Eigen::VectorXd& expansion) const;
+  /// Of glass that remembers its stress: forces of what is left of it, N, three for each node, and integrals of pressure
+  /// functions times its expansion rate, m3/s, four for each cell.
+  const Eigen::VectorXd& memory_force() const { return memory_force_; }
+  const Eigen::VectorXd& memory_expansion() const { return memory_expansion_; }
   /// Forces of weight, N, for an acceleration along the axis, m/s2, and a mass for each cell, kg.
   Eigen::VectorXd weight(double gravity, const Eigen::VectorXd& cell_mass) const;
   /// Integral of each pressure function over each cell, m3.
@@ -47,7 +51,7 @@ class FlowMatrix {
  private:
   struct Cell {
     CellDivergence divergence;
-    Eigen::Matrix4d penalty;  ///< gamma M^-1
+    Eigen::Matrix4d penalty;  ///< gamma M^-1, or bulk modulus times the step over int q q' dV
     Eigen::Vector4d moment;
     core::HexShape share;
     double mean_viscosity;
@@ -66,6 +70,7 @@ class FlowMatrix {
   core::Assembly assembly_;
   core::Cholesky factor_;
   std::vector<Cell> cells_;
+  Eigen::VectorXd memory_force_, memory_expansion_;
   Eigen::VectorXd given_;        ///< velocities that are given, 0 elsewhere, three for each node, m/s
   Eigen::VectorXd given_force_;  ///< that they make, N, likewise
   bool moves_given_ = false;     ///< whether one is not zero

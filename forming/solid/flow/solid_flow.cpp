@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/solid/hex_geometry.hpp"
-#include "forming/solid/flow/surface_loads.hpp"
+#include "forming/solid/flow/step_parts.hpp"
 #include "forming/solid/flow/tool_contact.hpp"
 
 namespace parison::flow {
@@ -20,14 +20,7 @@ constexpr double viscosity_tolerance = 2e-3;  ///< mean change of ln eta, of gla
 constexpr int most_viscosities = 12;          ///< each halves the change, about, with an exponent of 0.5
 constexpr double steady_share = 0.25;         ///< largest change of a velocity that goes on
 constexpr double worst_volume = 0.1;          ///< of a cell, beyond which a step is too long
-constexpr double least_shape = 0.02;          ///< least Jacobian of a cell over that at its centre
 constexpr double most_strain = 0.5;           ///< of a step that is not repeated
-
-HexMesh moved(const HexMesh& mesh, const Eigen::VectorXd& velocity, double time) {
-  HexMesh result = mesh;
-  for (Index node = 0; node < mesh.node_count(); ++node) result.nodes[node] += time * velocity.segment<3>(3 * node);
-  return result;
-}
 
 /// Velocities of the first half of a step, in which they go on as they changed between the last two steps; where they
 /// changed much, and where glass touches a tool anywhere, those of the last: there what was seen is how glass landed.
@@ -41,13 +34,6 @@ Eigen::VectorXd first_half(const SolidGlass& glass, double dt) {
     if (change.norm() < steady_share * glass.velocity.segment<3>(3 * n).norm()) result.segment<3>(3 * n) += change;
   }
   return result;
-}
-
-Eigen::VectorXd loads(const SolidProblem& problem, const FlowMatrix& matrix, const HexMesh& mesh,
-                      const Eigen::VectorXd& mass) {
-  Eigen::VectorXd force = pressure_forces(problem, mesh) + surface_tension_forces(problem, mesh);
-  if (problem.gravity != 0) force += matrix.weight(problem.gravity, mass);
-  return force;
 }
 
 /// Integrals of the pressure functions times an expansion of each cell.
@@ -155,12 +141,6 @@ double change_of_viscosity(const Carreau& law, const FlowMatrix& matrix, const H
     power += part;
   });
   return power > 0 ? sum / power : 0;
-}
-
-bool is_folded(const HexMesh& mesh) {
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    if (core::least_jacobian(mesh, cell) < least_shape) return true;
-  return false;
 }
 
 /// Solves until contact and volumes are right.

@@ -27,6 +27,10 @@ Eigen::VectorXd masses_by_volume(const Material& material, const HexMesh& mesh, 
 /// `matrix` belongs to the mesh and the conditions of the problem.
 SolidStep step_flow(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
 
+/// The same of glass that remembers its stress, with the memory of the problem: its volume is elastic, no cell keeps
+/// it. The temperatures are not used.
+SolidStep step_cooling(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt);
+
 /// What a step may do.
 struct SolidStepLimits {
   double strain = 0.15;

@@ -30,12 +30,30 @@ struct SolidTool {
   Friction friction;
 };
 
+/// Gauss points along a side of a face.
+inline constexpr int points_along = 3;
+/// Points of a cell at which glass remembers its stress: those of core::hex_rule(points_along, points_along).
+inline constexpr int memory_points = points_along * points_along * points_along;
+/// Entries of a symmetric tensor: xx, yy, zz, yz, xz, xy.
+inline constexpr int tensor_entries = 6;
+
+/// A step of glass that remembers its stress, at each point of each cell.
+struct SolidMemory {
+  Eigen::VectorXd viscosity;       ///< secant of the step, Pa.s
+  Eigen::VectorXd stress;          ///< deviator that the stress before leaves, tensor_entries for each point, Pa
+  Eigen::VectorXd expansion_rate;  ///< 1/s
+  double bulk = 0;                 ///< bulk modulus times the step, Pa.s
+  double bedding = 0;              ///< pressure of a tool over the depth to which the glass rests in it, Pa/m
+  double drag = 0;                 ///< on the glass, of each volume over its velocity, N.s/m4
+};
+
 /// Creeping flow of glass in space (Stokes): div(2 eta (D(v) - e/3 I)) - grad p + rho g = 0, div v = e, without
 /// inertia.
 struct SolidProblem {
   const Material* material;
   std::function<double(const Vector3&)> viscosity;  ///< Pa.s at a position; none: the material's by temperature
-  double gravity = 0;  ///< acceleration along the axis, m/s2: negative where it acts downwards
+  const SolidMemory* memory = nullptr;  ///< in place of viscosity and incompressibility; null: none
+  double gravity = 0;                   ///< acceleration along the axis, m/s2: negative where it acts downwards
   std::vector<SymmetryPlane> planes;
   std::vector<Index> fixed;                  ///< nodes that move with a given velocity
   Vector3 fixed_velocity = Vector3::Zero();  ///< m/s
@@ -50,8 +68,6 @@ inline double squared_shear_rate(const Eigen::Matrix3d& gradient) {
   return 0.5 * (gradient + gradient.transpose()).squaredNorm();
 }
 
-/// Gauss points along a side of a face.
-inline constexpr int points_along = 3;
 /// Points of each contact face: a Gauss rule of so many along either coordinate. The edge of contact lies between
 /// points.
 inline constexpr int contact_points_along = 4, contact_points_per_face = contact_points_along * contact_points_along;

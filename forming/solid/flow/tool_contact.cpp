@@ -31,6 +31,8 @@ constexpr double few_share = 0.05;
 /// Points further than this many times the largest way of the step do not touch.
 constexpr double reach_of_ways = 4;
 constexpr double grip_reach = 1e-3;  ///< m
+/// Gap from which glass that cools may sink onto what it rests on, m.
+constexpr double rest_reach = 2e-3;
 /// Stiffness along the slip at Coulomb's limit over that of the secant: the tangent itself is zero.
 constexpr double least_slope = 1e-3;
 
@@ -82,12 +84,14 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
     point.size = std::sqrt(area);
     point.stiffness =
         std::max(stiffness_factor * matrix.mean_viscosity(face.cell), highest * dt / tolerated_share) / point.size;
+    if (problem.memory) point.stiffness = problem.memory->bedding * dt;
+    const double reach = problem.memory ? rest_reach : reach_of_ways * dt * fastest + tolerated_share * point.size;
     for (const auto& at : mapped) {
       point.shape = at.shape;
       point.area = at.area;
       nearest(positions * at.shape, 0, point);
       all_.push_back({point.tool, point.gap, 0, false, false});
-      if (point.tool < 0 || point.gap > reach_of_ways * dt * fastest + tolerated_share * point.size) continue;
+      if (point.tool < 0 || point.gap > reach) continue;
       point.start_gap = point.gap;
       point.was_released = before && (*before)[all_.size() - 1].released;
       point.pressure_before = before ? (*before)[all_.size() - 1].pressure : 0;
@@ -105,7 +109,7 @@ ToolContact::ToolContact(const SolidProblem& problem, const FlowMatrix& matrix, 
 void ToolContact::expect(Point& point) const {
   point.tied = point.tool >= 0 && problem_->tools[point.tool].friction.law == Friction::Law::grip &&
                point.start_gap <= grip_reach;
-  point.tolerated = point.tied ? point.start_gap : std::min(point.start_gap, 0.0);
+  point.tolerated = point.tied ? point.start_gap : rests() ? 0 : std::min(point.start_gap, 0.0);
   if (const double deeper = point.tolerated + tolerated_share * point.size; deeper < 0)
     point.tolerated -= (1 - kept_depth) * pace_ * deeper;
   if (point.tool < 0) return;
@@ -121,7 +125,16 @@ void ToolContact::expect(Point& point) const {
     slide(point, point.pressure_before);  // glass that lands sticks at first
   } else
     point.drag = friction.law == Friction::Law::slip ? 0 : point.stiffness;
-  point.touches = point.tied || (point.start_gap <= 0 && !point.was_released) || point.gap < -passed_share * point.size;
+  point.touches = point.tied || (!rests() && point.start_gap <= 0 && !point.was_released) || has_passed(point);
+}
+
+/// Glass that remembers its stress rests on tools by its weight alone.
+bool ToolContact::rests() const {
+  return problem_->memory;
+}
+
+bool ToolContact::has_passed(const Point& point) const {
+  return point.gap < (rests() ? 0 : -passed_share * point.size);
 }
 
 void ToolContact::look(const Eigen::VectorXd& velocity) {
@@ -208,7 +221,7 @@ Index ToolContact::choose() {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     Point& point = chosen[k];
     point.touches =
-        point.tied || (point.touches ? pressure(point) > -bearable : point.gap < -passed_share * point.size);
+        point.tied || (point.touches && !rests() ? pressure(point) > -bearable : has_passed(point));
     if (point.touches) slide(point, pressure(point));
     changed += point.touches != points_[k].touches || point.slides != points_[k].slides;
     touching += point.touches;

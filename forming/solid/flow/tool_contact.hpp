@@ -62,6 +62,8 @@ class ToolContact {
   };
   void nearest(const Vector3& at, double time, Point& point) const;
   void expect(Point& point) const;
+  bool rests() const;
+  bool has_passed(const Point& point) const;
   void slide(Point& point, double pressure) const;
   double pressure(const Point& point) const;
   Vector3 slip(const Point& point) const;

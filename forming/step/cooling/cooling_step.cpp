@@ -28,20 +28,15 @@ void store(cooling::GlassMemory memory, GlassState& glass) {
   glass.mean_pressure = std::move(memory.pressure);
 }
 
-/// The largest change of temperature, K, with its weight: in cells in which glass relaxes within the step it counts for
-/// more, because there it decides what stress stays. `change`: by node, K.
+/// The largest change of temperature, K, with its weight. `change`: by node, K.
 double weighted_change(const cooling::GlassLaw& law, const core::Mesh& mesh, const cooling::MemoryStep& step,
                        const Eigen::VectorXd& change) {
-  constexpr double more = 7, steep = 10;  // full weight where between a tenth and nine tenths of the strain stay stress
   double largest = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    double relaxing = 0, of_cell = 0;
-    for (Index q = 0; q < core::cell_points; ++q) {
-      const double share = step.relaxation[c * core::cell_points + q].modulus.sum() / law.shear_modulus();
-      relaxing = std::max(relaxing, share * (1 - share));
-    }
+    double of_cell = 0;
     for (const Index node : mesh.cells()[c]) of_cell = std::max(of_cell, std::abs(change[node]));
-    largest = std::max(largest, of_cell * (1 + more * std::min(1.0, steep * relaxing)));
+    const auto* points = &step.relaxation[c * core::cell_points];
+    largest = std::max(largest, of_cell * cooling::weight_of_change(law, points, core::cell_points));
   }
   return largest;
 }
