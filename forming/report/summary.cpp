@@ -218,6 +218,10 @@ void add_container_in_space(JsonWriter& json, const Summary& summary) {
   json.open_object("container");
   json.add("weight_g", 1e3 * summary.glass.mass);
   json.add("capacity_ml", 1e6 * *summary.capacity_in_space);
+  if (summary.cold) {
+    json.add("height_mm", 1e3 * summary.cold->height);
+    json.add("diameter_mm", 1e3 * summary.cold->diameter);
+  }
   json.close();
 }
 

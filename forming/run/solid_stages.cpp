@@ -186,8 +186,7 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
     clock.tools[tool.tool].offset = tool_offset(run.scene, clock, tool.tool, clock.stage_time);
   solid.last_step = dt;
   follow_extremes(run.scene, clock, solid, run.outcome.facts.diagnostics.extremes);
-  solid.next_step =
-      next_step(run.scene, clock, solid, dt, std::max(dt, rejected ? dt : solid.next_step), outcome);
+  solid.next_step = next_step(run.scene, clock, solid, dt, std::max(dt, rejected ? dt : solid.next_step), outcome);
   if (cools) follow_cooling(surface_tension(solid, clock.time), run.outcome.facts.diagnostics.cooling);
   return true;
 }

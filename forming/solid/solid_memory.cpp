@@ -168,7 +168,9 @@ Quadratic nearest(const Straight& a, const Straight& b) {
 /// Values at the nodes of a column through the cells, from the inner side on.
 std::vector<Tensor> along_column(const std::vector<Straight>& cells) {
   std::vector<Tensor> values;
-  const auto at_end = [](const Straight& cell, double side) { return Tensor(cell.mean + side * cell.half * cell.slope); };
+  const auto at_end = [](const Straight& cell, double side) {
+    return Tensor(cell.mean + side * cell.half * cell.slope);
+  };
   if (cells.size() == 1) return {at_end(cells[0], -1), cells[0].mean, at_end(cells[0], 1)};
   std::vector<Quadratic> between;  // around each place where two cells meet
   for (std::size_t i = 0; i + 1 < cells.size(); ++i) between.push_back(nearest(cells[i], cells[i + 1]));
@@ -200,8 +202,7 @@ NodalTensors nodal_stress(const SolidState& solid) {
         const int middle = column + columns, end = middle + columns;
         const double length = (mesh.nodes[numbers[end]] - mesh.nodes[numbers[column]]).norm();
         const CellTensors& own = in_cells[i];
-        cells.push_back({from + 0.5 * length, 0.5 * length,
-                         (own.col(column) + 4 * own.col(middle) + own.col(end)) / 6,
+        cells.push_back({from + 0.5 * length, 0.5 * length, (own.col(column) + 4 * own.col(middle) + own.col(end)) / 6,
                          (own.col(end) - own.col(column)) / length});
         from += length;
         nodes.push_back(numbers[middle]);

@@ -49,8 +49,8 @@ struct SolidState {
   std::vector<std::vector<Index>> columns;  ///< nodes through the wall, from the inner side to the outer one
   std::vector<std::vector<Index>> stacks;   ///< cells through the wall, in the same order
   Eigen::VectorXd temperature_rate;         ///< of the last step, K/s; empty: none
-  Eigen::VectorXd contact_opening;  ///< by point of SolidGlass::contact, of the gap beyond that at first touch, m;
-                                    ///< empty where no contact law has a gap
+  Eigen::VectorXd contact_opening;      ///< by point of SolidGlass::contact, of the gap beyond that at first touch, m;
+                                        ///< empty where no contact law has a gap
   Eigen::VectorXd branch_stress;        ///< deviator, flow::tensor_entries of each branch of each of the cells'
                                         ///< flow::memory_points, Pa; empty until the glass cools
   Eigen::VectorXd fictive_temperature;  ///< of each branch of each point, K

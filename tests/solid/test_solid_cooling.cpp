@@ -75,18 +75,21 @@ TEST(SolidCooling, a_plate_has_the_stress_of_a_one_dimensional_solution) {
   const cooling::GlassLaw law = cooling::reference_law();
   const auto coarse = cooling::by_points(law, history, 4000), fine = cooling::by_points(law, history, 8000);
   for (const auto& [layers, allowed] : {std::pair{2, 2e-2}, {4, 4e-3}}) {
-    tests::Figure off(fmt::format("plate in space, {} layers through half of it: stress off by, of the largest", layers));
+    tests::Figure off(
+        fmt::format("plate in space, {} layers through half of it: stress off by, of the largest", layers));
     const double half = thickness / 2;
-    Body body(law, tests::hex_block(6, 6, layers, [&](const Vector3& at) { return Vector3(3 * thickness * at[0], 3 * thickness * at[1], half * at[2]); }),
+    Body body(law,
+              tests::hex_block(6, 6, layers,
+                               [&](const Vector3& at) {
+                                 return Vector3(3 * thickness * at[0], 3 * thickness * at[1], half * at[2]);
+                               }),
               three_planes, history.at(0, 0));
     const Eigen::VectorXd height = [&] {
       Eigen::VectorXd all(body.solid.glass.mesh.node_count());
       for (Index n = 0; n < all.size(); ++n) all[n] = body.solid.glass.mesh.nodes[n][2] / half;
       return all;
     }();
-    const auto at = [&](double time) {
-      return height.unaryExpr([&](double z) { return history.at(time, z); }).eval();
-    };
+    const auto at = [&](double time) { return height.unaryExpr([&](double z) { return history.at(time, z); }).eval(); };
     constexpr double change = 2.5;  // K
     for (std::size_t part = 1; part < history.mean.x.size(); ++part) {
       const double from = history.mean.x[part - 1], seconds = history.mean.x[part] - from;
@@ -124,8 +127,7 @@ TEST(SolidCooling, a_free_body_shrinks_without_stress) {
   EXPECT_LT(nodal_stress(body.solid).cwiseAbs().maxCoeff(), 1e-3 * law.young * strain * strain);
 }
 
-const std::string disc =
-    std::string("case = \"disc\"\ngeometry = \"axisymmetric\"\n") + R"([glass]
+const std::string disc = std::string("case = \"disc\"\ngeometry = \"axisymmetric\"\n") + R"([glass]
 material = "flint"
 temperature = "700 degC"
 boundary = [
@@ -190,8 +192,8 @@ Cold cooled(const std::string& text) {
 }
 
 TEST(SolidCooling, a_disc_on_a_plate_cools_as_a_round_one) {
-  const Cold round = cooled(disc), solid = cooled(replaced("name = \"cool\"\n",
-                                                           "name = \"cool\"\nsolid = { sector = \"90 deg\" }\n", disc));
+  const Cold round = cooled(disc),
+             solid = cooled(replaced("name = \"cool\"\n", "name = \"cool\"\nsolid = { sector = \"90 deg\" }\n", disc));
   for (const Cold* one : {&round, &solid})
     std::printf("%s: %.6g mm3, middle %.3f, top %.3f MPa\n", one == &round ? "round" : "in space", 1e9 * one->volume,
                 one->middle, one->top);

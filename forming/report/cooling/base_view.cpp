@@ -81,7 +81,8 @@ BaseView base_view(const SolidState& solid, int up) {
   double lowest = -std::numeric_limits<double>::infinity(), highest = lowest;
   for (const auto& x : nodes) lowest = std::max(lowest, -up * x[2]), highest = std::max(highest, up * x[2]);
   struct Ray {
-    double radius, thickness, retardation;
+    double radius, thickness, retardation, on_diagonal;
+    core::Vector3 at;
   };
   std::vector<Ray> rays;
   for (const auto& column : solid.columns) {
@@ -97,14 +98,18 @@ BaseView base_view(const SolidState& solid, int up) {
         shear += weight * length * stress(5, node);
       }
     }
-    rays.push_back({std::hypot(outer[0], outer[1]), std::abs(through[2]), stress_optical * std::hypot(normal, 2 * shear)});
+    rays.push_back({std::hypot(outer[0], outer[1]), std::abs(through[2]),
+                    stress_optical * std::hypot(normal, 2 * shear), stress_optical * 2 * shear, outer});
   }
   std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.radius < b.radius; });
   for (const Ray& ray : rays) {
     view.radius.push_back(ray.radius);
     view.thickness.push_back(ray.thickness);
     view.retardation.push_back(ray.retardation);
+    view.at.push_back(ray.at);
+    view.on_diagonal.push_back(ray.on_diagonal);
   }
+  view.sector = 2 * M_PI * solid.share;
   return view;
 }
 

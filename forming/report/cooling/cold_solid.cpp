@@ -23,7 +23,8 @@ SidesTension surface_tension(const SolidState& solid, double time) {
   return tension;
 }
 
-std::optional<CooledContainer> cooled_container(const Scene& scene, const SolidState& solid, double capacity, double time) {
+std::optional<CooledContainer> cooled_container(const Scene& scene, const SolidState& solid, double capacity,
+                                                double time) {
   if (!remembers(solid)) return {};
   CooledContainer cold;
   cold.tension = surface_tension(solid, time);

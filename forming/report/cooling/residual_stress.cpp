@@ -50,8 +50,17 @@ void add_base(core::JsonWriter& json, const BaseView& base) {
     for (const double value : values) json.add("", value / unit);
     json.close();
   };
-  list("r_mm", base.radius, core::millimetre);
-  list("retardations_nm", base.retardation, nanometre);
+  if (base.at.empty()) {
+    list("r_mm", base.radius, core::millimetre);
+    list("retardations_nm", base.retardation, nanometre);
+  } else {
+    std::vector<double> x, y;
+    for (const core::Vector3& at : base.at) x.push_back(at[0]), y.push_back(at[1]);
+    json.add("sector_deg", base.sector * 180 / M_PI);
+    list("x_mm", x, core::millimetre);
+    list("y_mm", y, core::millimetre);
+    list("on_diagonal_nm", base.on_diagonal, nanometre);
+  }
   json.close();
 }
 

@@ -74,8 +74,7 @@ void add_memory(const SolidMemory& memory, Index cell, const Gradients& gradient
 
 void compute_cell(const SolidProblem& problem, const CellState& cell, HexMatrices& result) {
   const core::HexNodes& nodes = cell.nodes;
-  const int across =
-      problem.memory ? points_along : points_across(log_viscosity(problem, cell.temperature, nodes));
+  const int across = problem.memory ? points_along : points_across(log_viscosity(problem, cell.temperature, nodes));
   const HexRule& rule = core::hex_rule(points_along, across);
   const auto count = static_cast<Index>(rule.at.size());
   thread_local Gradients gradients, weighted;

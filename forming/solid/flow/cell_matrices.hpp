@@ -14,12 +14,12 @@ using CellDivergence = Eigen::Matrix<double, 4, hex_unknowns, Eigen::RowMajor>;
 
 /// What a cell adds to the balance of forces, with its velocities v and pressures p.
 struct HexMatrices {
-  HexMatrix viscous;          ///< int 2 eta D(u):D(v) dV, of glass with a memory of the deviators, Pa.s.m
-  CellDivergence divergence;  ///< int q div v dV for the four pressure functions q, m2
-  Eigen::Matrix4d mass;       ///< int q q' dV, m3
-  Eigen::Vector4d moment;     ///< int q dV, m3
-  core::HexShape share;       ///< of each node in the volume
-  double mean_viscosity = 0;  ///< over its volume, Pa.s
+  HexMatrix viscous;                 ///< int 2 eta D(u):D(v) dV, of glass with a memory of the deviators, Pa.s.m
+  CellDivergence divergence;         ///< int q div v dV for the four pressure functions q, m2
+  Eigen::Matrix4d mass;              ///< int q q' dV, m3
+  Eigen::Vector4d moment;            ///< int q dV, m3
+  core::HexShape share;              ///< of each node in the volume
+  double mean_viscosity = 0;         ///< over its volume, Pa.s
   CellVector memory_force;           ///< -int s:D(u) dV of the deviator s that glass remembers, N
   Eigen::Vector4d memory_expansion;  ///< int q e dV of its expansion rate e, m3/s
 };

@@ -85,8 +85,7 @@ void FlowMatrix::assemble(const SolidProblem& problem, const HexMesh& mesh, cons
       for (int n = 0; n < HexMesh::nodes_per_cell; ++n)
         memory_force_.segment<3>(3 * nodes_[cell][n]) += computed.memory_force.segment<3>(3 * n);
       memory_expansion_.segment<4>(4 * cell) = computed.memory_expansion;
-      computed.viscous.diagonal().array() +=
-          problem.memory->drag * computed.moment[0] / HexMesh::nodes_per_cell;
+      computed.viscous.diagonal().array() += problem.memory->drag * computed.moment[0] / HexMesh::nodes_per_cell;
     }
     computed.viscous.noalias() += computed.divergence.transpose() * (cells_[cell].penalty * computed.divergence);
     add(cell, computed.viscous);

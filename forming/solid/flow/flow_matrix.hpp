@@ -36,8 +36,8 @@ class FlowMatrix {
   /// Pressures after a solution with `pressure`.
   Eigen::VectorXd corrected_pressure(const Eigen::VectorXd& velocity, const Eigen::VectorXd& pressure,
                                      const Eigen::VectorXd& expansion) const;
-  /// Of glass that remembers its stress: forces of what is left of it, N, three for each node, and integrals of pressure
-  /// functions times its expansion rate, m3/s, four for each cell.
+  /// Of glass that remembers its stress: forces of what is left of it, N, three for each node, and integrals of
+  /// pressure functions times its expansion rate, m3/s, four for each cell.
   const Eigen::VectorXd& memory_force() const { return memory_force_; }
   const Eigen::VectorXd& memory_expansion() const { return memory_expansion_; }
   /// Forces of weight, N, for an acceleration along the axis, m/s2, and a mass for each cell, kg.

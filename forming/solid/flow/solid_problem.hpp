@@ -52,8 +52,8 @@ struct SolidMemory {
 struct SolidProblem {
   const Material* material;
   std::function<double(const Vector3&)> viscosity;  ///< Pa.s at a position; none: the material's by temperature
-  const SolidMemory* memory = nullptr;  ///< in place of viscosity and incompressibility; null: none
-  double gravity = 0;                   ///< acceleration along the axis, m/s2: negative where it acts downwards
+  const SolidMemory* memory = nullptr;              ///< in place of viscosity and incompressibility; null: none
+  double gravity = 0;  ///< acceleration along the axis, m/s2: negative where it acts downwards
   std::vector<SymmetryPlane> planes;
   std::vector<Index> fixed;                  ///< nodes that move with a given velocity
   Vector3 fixed_velocity = Vector3::Zero();  ///< m/s

@@ -220,8 +220,7 @@ Index ToolContact::choose() {
   std::vector<Point> chosen = points_;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     Point& point = chosen[k];
-    point.touches =
-        point.tied || (point.touches && !rests() ? pressure(point) > -bearable : has_passed(point));
+    point.touches = point.tied || (point.touches && !rests() ? pressure(point) > -bearable : has_passed(point));
     if (point.touches) slide(point, pressure(point));
     changed += point.touches != points_[k].touches || point.slides != points_[k].slides;
     touching += point.touches;

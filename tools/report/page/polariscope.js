@@ -20,6 +20,28 @@ function retardationAt(base, radius) {
   return values[next - 1] + share * (values[next] - values[next - 1]);
 }
 
+/** Of a base that is not round, of which a half or a quarter between planes of symmetry is told: the retardation that it
+ * adds at (x, y) mm along the diagonal x = y, nm, between the nearest places; none beyond the base. */
+function alongDiagonal({ sector_deg: sector, x_mm: xs, y_mm: ys, on_diagonal_nm: values }, x, y) {
+  const turned = (sector < 360 && y < 0) !== (sector < 180 && x < 0);
+  const [px, py] = [sector < 180 ? Math.abs(x) : x, sector < 360 ? Math.abs(y) : y];
+  let sum = 0;
+  let weights = 0;
+  let nearest = Infinity;
+  for (let i = 0; i < xs.length; ++i) {
+    const square = (xs[i] - px) ** 2 + (ys[i] - py) ** 2;
+    const weight = 1 / (square + 1e-3) ** 2;
+    sum += weight * values[i];
+    weights += weight;
+    nearest = Math.min(nearest, square);
+  }
+  const reach = 2.5; // mm
+  return nearest > reach ** 2 ? null : (turned ? -sum : sum) / weights;
+}
+
+/** Whether a picture of the whole base can be made of what is told. */
+const isWhole = ({ sector_deg: sector }) => !sector || [90, 180, 360].some((whole) => Math.abs(whole - sector) < 1e-6);
+
 /** The base in the field of a tint plate of 565 nm, which adds to the retardation along one diagonal. */
 function baseView(base, times) {
   const size = 280;
@@ -27,14 +49,16 @@ function baseView(base, times) {
   const canvas = element("canvas", { width: size, height: size, class: "polariscope" });
   const context = canvas.getContext("2d");
   const image = context.createImageData(size, size);
-  const widest = base.r_mm[base.r_mm.length - 1];
+  const widest = base.r_mm ? base.r_mm[base.r_mm.length - 1] : Math.max(...base.x_mm.map((x, i) => Math.hypot(x, base.y_mm[i])));
+  const scale = 1.15 * widest;
   for (let y = 0; y < size; ++y)
     for (let x = 0; x < size; ++x) {
       const dx = (2 * (x + 0.5)) / size - 1;
       const dy = 1 - (2 * (y + 0.5)) / size;
-      const retardation = retardationAt(base, 1.15 * widest * Math.hypot(dx, dy));
-      const along = Math.sin(2 * Math.atan2(dy, dx));
-      const colour = polarisedColour(tint + times * (retardation ?? 0) * along);
+      const along = base.r_mm
+        ? (retardationAt(base, scale * Math.hypot(dx, dy)) ?? 0) * Math.sin(2 * Math.atan2(dy, dx))
+        : (alongDiagonal(base, scale * dx, scale * dy) ?? 0);
+      const colour = polarisedColour(tint + times * along);
       image.data.set([...colour, 255], 4 * (y * size + x));
     }
   context.putImageData(image, 0, 0);
@@ -60,6 +84,7 @@ function coldRows({ cooling, container }) {
 function coldRun(run, several) {
   const { cooling } = run.summary;
   const { base } = cooling;
+  const pictured = base && isWhole(base);
   const sentences = [
     `Tension left: outside ${tensionText(cooling.residual_outer)}, inside ${tensionText(cooling.residual_inner)}.`,
     `Largest while cooling: outside ${tensionText(cooling.largest_outer)}, inside ${tensionText(cooling.largest_inner)}.`,
@@ -68,7 +93,7 @@ function coldRun(run, several) {
     sentences.push(
       `Real temper number ${figure(base.real_temper_number, 2)}, apparent ${figure(base.apparent_temper_number, 2)}: ` +
         `${figure(base.retardation_nm, 3)} nm at r = ${figure(base.at_r_mm, 3)} mm through ` +
-        `${figure(base.thickness_mm, 3)} mm. The base between crossed polarisers with a tint plate of 565 nm:`,
+        `${figure(base.thickness_mm, 3)} mm.${pictured ? " The base between crossed polarisers with a tint plate of 565 nm:" : ""}`,
     );
   const rows = coldRows(run.summary);
   return element(
@@ -77,7 +102,7 @@ function coldRun(run, several) {
     several ? element("h3", {}, run.name) : null,
     rows.length ? table(["", "from the mould", "cold"], rows) : null,
     ...sentences.map((sentence) => element("p", {}, sentence)),
-    base ? element("div", { class: "charts" }, baseView(base, 1), baseView(base, 10)) : null,
+    pictured ? element("div", { class: "charts" }, baseView(base, 1), baseView(base, 10)) : null,
   );
 }
 
