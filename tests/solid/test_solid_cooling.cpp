@@ -169,7 +169,7 @@ struct Cold {
 };
 
 Cold cooled(const std::string& text) {
-  Scene scene = scene_of(text);
+  Scene scene = scene_of(text, "draft coarser 2");
   scene.accuracy.elements_across = 6;
   const RunOutcome outcome = run(scene);
   EXPECT_TRUE(outcome.facts.completed) << outcome.facts.reason;

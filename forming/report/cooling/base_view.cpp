@@ -73,7 +73,7 @@ BaseView base_view(const Scene& scene, const GlassState& glass, int up) {
 }
 
 BaseView base_view(const SolidState& solid, int up) {
-  constexpr double steep = 0.9;  // of a column: what leans more is wall
+  constexpr double steep = 0.7;  // cosine of the lean of a column: what leans more is wall
   BaseView view;
   if (!remembers(solid)) return view;
   const NodalTensors stress = nodal_stress(solid);
