@@ -226,7 +226,7 @@ StageEnd present_end(const RunInProgress& run, const SolidState& solid) {
 
 bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   const State& clock = run.outcome.state;
-  workspace.heat = {};
+  workspace.heat.begin_anew();
   while (present_end(run, solid) == StageEnd::none) {
     const double before = clock.time;
     if (!step_once(run, solid, workspace)) return false;
@@ -235,7 +235,7 @@ bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& worksp
     if (!outputs_due(run.scene, clock.stage, before, clock.time).empty())
       notify(run, &RunObserver::solid_fields_due, solid);
     if (clock.totals.steps % steps_to_checkpoint == 0) {
-      workspace.heat = {};
+      workspace.heat.begin_anew();
       offer_checkpoint(run, false);
     }
     if (stop_requested(run)) return false;

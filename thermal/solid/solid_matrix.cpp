@@ -2,6 +2,7 @@
 #include "thermal/solid/solid_matrix.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "thermal/solid/solid_cells.hpp"
@@ -29,6 +30,16 @@ bool has_all_pairs(const SolidStepMatrix& matrix, const SolidSystem& system) {
   return true;
 }
 
+/// Whether the pattern is that of the pairs of the interface, no more and no less.
+bool has_these_pairs(const SolidStepMatrix& matrix, const SolidSystem& system) {
+  std::set<std::array<Index, 4>> keys;
+  for (const core::FacePair& pair : system.problem->interface.pairs) {
+    if (!matrix.pair_clique.count(pair.key())) return false;
+    keys.insert(pair.key());
+  }
+  return keys.size() == matrix.pair_clique.size();
+}
+
 std::vector<std::array<int, 2>> repeats_of(const std::vector<Index>& unknowns) {
   std::vector<std::array<int, 2>> repeats;
   for (int i = 0; i < static_cast<int>(unknowns.size()); ++i)
@@ -49,9 +60,11 @@ void analyse(SolidStepMatrix& matrix, bool same_mesh) {
   constexpr double most_growth = 1.5;
   ++matrix.analyses;
   if (same_mesh) {
+    matrix.is_dissected = false;
     matrix.cholesky.analyse_in_same_order(matrix.assembly.matrix);
     if (matrix.cholesky.operations() <= most_growth * matrix.ordered_operations) return;
   }
+  matrix.is_dissected = true;
   matrix.cholesky.analyse_dissected(matrix.assembly.matrix);
   matrix.ordered_operations = matrix.cholesky.operations();
 }
@@ -141,12 +154,13 @@ void set_diagonal(SolidStepMatrix& matrix, const SolidSystem& system) {
 void prepare(SolidStepMatrix& matrix, const SolidSystem& system) {
   if (matrix.is_prescribed != system.is_prescribed) matrix.factored_step = 0;
   std::vector<Index> signature = signature_of(system);
-  const bool same_mesh = signature == matrix.mesh_signature;
-  if (same_mesh && has_all_pairs(matrix, system)) return;
+  const bool anew = std::exchange(matrix.begins_anew, false), same_mesh = signature == matrix.mesh_signature;
+  if (same_mesh && (anew ? matrix.is_dissected && has_these_pairs(matrix, system) : has_all_pairs(matrix, system)))
+    return;
   matrix.factored_step = 0;
   matrix.mesh_signature = std::move(signature);
   make_pattern(matrix, system);
-  analyse(matrix, same_mesh);
+  analyse(matrix, same_mesh && !anew);
 }
 
 bool factorise(SolidStepMatrix& matrix, const SolidSystem& system, double time, const Eigen::VectorXd& temperature,

@@ -13,7 +13,16 @@ namespace parison::thermal {
 struct SolidStepMatrix : HeatMatrix {
   Index analyses = 0;
 
+  /// Forgets what steps before have left, so that the next one is as of a new matrix. An order of elimination that this
+  /// would find again stays.
+  void begin_anew() {
+    factored_step = 0;
+    begins_anew = true;
+  }
+
   // What the pattern was made for.
+  bool begins_anew = false;
+  bool is_dissected = false;      ///< whether the order of elimination was found for this very pattern
   double ordered_operations = 0;  ///< of a factorisation when the order of elimination was found
   std::vector<Index> mesh_signature;
   std::map<std::array<Index, 4>, Index> pair_clique;     ///< by FacePair::key()
