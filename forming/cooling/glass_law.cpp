@@ -15,12 +15,17 @@ constexpr double log_change = 1;
 constexpr int most_parts = 64;
 /// Relaxation of the fastest branch below which a point is solid: its stress keeps twelve digits.
 constexpr double no_relaxation = 1e-12;
+/// That below which a step need not be divided: it is as small as what the viscosity of the middle is off by.
+constexpr double undivided = 1e-4;
+
+/// Relaxation after which nothing is left, in place of numbers too small for the processor's full pace.
+constexpr double gone = 100;
 
 /// exp(-q) of each branch, and the mean of exp(-q s) over s from 0 to 1.
 struct Decay {
   Branches left, mean;
 
-  explicit Decay(const Branches& q) : left((-q).exp()) {
+  explicit Decay(const Branches& q) : left((q < gone).select((-q).exp(), 0)) {
     constexpr double small = 1e-5;  // below it the series to second order has all digits
     mean = (q > small).select((1 - left) / q.max(small), 1 - q / 2 + q * q / 6);
   }
@@ -37,24 +42,32 @@ Branches follow(const Branches& fictive, const Decay& decay, double from, double
 Relaxation relax(const GlassLaw& law, const Branches& fictive, double from, double to, double dt) {
   const Branches& weight = law.structure.weight;
   const double modulus = law.shear_modulus(), start = (weight * fictive).sum();
-  const double at_start = law.log_viscosity(from, start), at_end = law.log_viscosity(to, start);
+  double equilibrium = law.log_equilibrium(start);  // of the fictive temperature that counts
+  const auto log_viscosity = [&](double temperature, double counted) {
+    return equilibrium + law.frozen_activation * (1 / temperature - 1 / counted);
+  };
+  const double at_start = log_viscosity(from, start), at_end = log_viscosity(to, start);
   const double fastest = std::min(law.shear.time.minCoeff(), law.structure.time.minCoeff());
-  if (dt * modulus < no_relaxation * fastest * std::exp(std::min(at_start, at_end)))
+  const double most = dt * modulus / (fastest * std::exp(std::min(at_start, at_end)));
+  if (most < no_relaxation)
     return {Branches::Ones(), modulus * law.shear.weight, fictive, law.solid_expansion * (to - from)};
-  const int parts = std::clamp(static_cast<int>(std::ceil(std::abs(at_end - at_start) / log_change)), 1, most_parts);
+  const double changes = most < undivided ? 1 : std::abs(at_end - at_start) / log_change;
+  const int parts = std::clamp(static_cast<int>(std::ceil(changes)), 1, most_parts);
   Relaxation result{Branches::Ones(), Branches::Zero(), fictive, 0};
   for (int part = 0; part < parts; ++part) {
     const double here = from + (to - from) * part / parts, next = from + (to - from) * (part + 1) / parts;
     const double before = (weight * result.fictive).sum();
     double middle = before, relaxed = 0;
+    if (part > 0) equilibrium = law.log_equilibrium(middle);
     Branches after;
     constexpr int passes = 2;            // the second is of second order
     constexpr double hardly_any = 1e-3;  // K, which changes no viscosity by more than a ten thousandth
     for (int pass = 0; pass < passes; ++pass) {
-      relaxed = dt / parts * modulus / std::exp(law.log_viscosity(0.5 * (here + next), middle));
+      relaxed = dt / parts * modulus / std::exp(log_viscosity(0.5 * (here + next), middle));
       after = follow(result.fictive, Decay(relaxed / law.structure.time), here, next);
       const double found = 0.5 * (before + (weight * after).sum());
       if (std::abs(std::exchange(middle, found) - found) < hardly_any) break;
+      if (pass + 1 < passes) equilibrium = law.log_equilibrium(middle);
     }
     const Decay shear(relaxed / law.shear.time);
     result.kept *= shear.left;

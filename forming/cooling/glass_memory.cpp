@@ -58,7 +58,11 @@ MemoryStep start_step(const GlassLaw& law, const core::Mesh& mesh, const GlassMe
                       const Eigen::VectorXd& before, const Eigen::VectorXd& after, double dt) {
   const Eigen::VectorXd from = at_points(mesh, before), to = at_points(mesh, after);
   MemoryStep step;
-  step.relaxation.reserve(from.size());
+  const auto points = static_cast<std::size_t>(from.size());
+  step.relaxation.reserve(points);
+  step.flow.stress.reserve(points);
+  step.flow.viscosity.reserve(points);
+  step.flow.expansion_rate.reserve(points);
   step.flow.bulk = law.bulk_modulus() * dt;
   step.flow.pressure = memory.pressure.head(mesh.vertex_count());
   for (Index k = 0; k < from.size(); ++k) {
@@ -74,7 +78,7 @@ MemoryStep start_step(const GlassLaw& law, const core::Mesh& mesh, const GlassMe
 
 GlassMemory end_step(const MemoryStep& step, const GlassMemory& before, const core::Mesh& mesh,
                      const std::vector<flow::PointStrain>& strains, const Eigen::VectorXd& pressure) {
-  GlassMemory memory = before;
+  GlassMemory memory{Eigen::VectorXd(before.stress.size()), Eigen::VectorXd(before.fictive.size()), {}};
   for (Index k = 0; k < static_cast<Index>(strains.size()); ++k) {
     const Relaxation& at = step.relaxation[k];
     const Eigen::Map<const Eigen::Vector4d> deviator(strains[k].deviator.data());
