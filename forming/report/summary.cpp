@@ -284,6 +284,7 @@ Summary summarise(const Scene& scene, const State& state, const RunFacts& run, c
   summary.thickness = thickness_range(profile.rows);
   summary.beside_finish = thickness_beside_finish(scene, state, profile);
   summary.no_wall = profile.no_wall;
+  summary.wall_stress = wall_stress(state.glass, profile.rows);
   const bool in_space = scene.solid && state.stage >= scene.solid->from_stage;
   if (in_space) leave_out_wall(scene, summary);
   summary.outer_within_02mm =
@@ -329,6 +330,11 @@ Summary write_summary(const std::string& directory, const Scene& scene, const Ru
     return summary;
   }
   write_thickness(directory + "/thickness.csv", profile.rows);
+  const std::string stress = directory + "/residual_stress.csv";
+  if (remembers(state))
+    core::replace_file(stress, wall_stress_text(summary.wall_stress));
+  else
+    core::remove_own(stress);
   const std::vector<ContourPoint> points = contour(scene, state, profile);
   core::replace_file(directory + "/contour.csv", contour_text(scene, state, points), core::Reach::system);
   core::replace_file(directory + "/heights.csv", heights_text(height_rows(scene, state, points)), core::Reach::system);

@@ -10,6 +10,7 @@
 #include "forming/diagnostics/diagnostics.hpp"
 #include "forming/report/checks/check.hpp"
 #include "forming/report/cooling/cold_container.hpp"
+#include "forming/report/cooling/wall_stress.hpp"
 #include "forming/report/files/history.hpp"
 #include "forming/report/process/flags.hpp"
 #include "forming/report/process/mould_filling.hpp"
@@ -77,9 +78,10 @@ struct Summary {
   RunFacts run;
   GlassFacts glass;
   std::vector<ToolSummary> tools;
-  ThicknessRange thickness;      ///< m
-  ThicknessRange beside_finish;  ///< the same, where tools grip the glass left out
-  std::string no_wall;           ///< why there is no thickness, a sentence; empty with one
+  ThicknessRange thickness;             ///< m
+  ThicknessRange beside_finish;         ///< the same, where tools grip the glass left out
+  std::string no_wall;                  ///< why there is no thickness, a sentence; empty with one
+  std::vector<WallStress> wall_stress;  ///< of a container that was cooled
   HeatLost heat_lost;
   std::optional<double> capacity_in_space;  ///< of a container that is not round, to its rim, m3
   double outer_within_02mm;                 ///< share of the outer surface within 0.2 mm of an active tool
@@ -91,8 +93,8 @@ struct Summary {
 Summary summarise(const Scene& scene, const State& state, const RunFacts& run, const ThicknessProfile& profile,
                   const SolidState* solid = nullptr);
 
-/// Writes thickness.csv, contour.csv, heights.csv and summary.json into the result folder; of glass in space
-/// summary.json alone, and the files of write_solid_summary.
+/// Writes thickness.csv, contour.csv, heights.csv, of a cooled container residual_stress.csv, and summary.json into the
+/// result folder; of glass in space summary.json alone, and the files of write_solid_summary.
 Summary write_summary(const std::string& directory, const Scene& scene, const RunOutcome& outcome);
 /// Writes summary.json again, now with error bars.
 struct ErrorBars;

@@ -12,6 +12,7 @@
 #include "core/io/written_files.hpp"
 #include "core/math/numbers.hpp"
 #include "forming/report/files/case_copy.hpp"
+#include "forming/report/solid/shell_stress.hpp"
 #include "forming/report/solid/solid_files.hpp"
 #include "forming/report/solid/space_files.hpp"
 #include "forming/run/checkpoint.hpp"
@@ -39,14 +40,20 @@ void tell_shell(const ExportRequest& request, const forming::ShellMesh& shell, d
   fmt::print("  the shell has no rim, no bead and no foot: its volume differs from that of the glass by these\n");
   fmt::print("  ready for \"ccx {}\": 1 kN of top load, 1 bar inside, 1 kN between the sides\n",
              std::filesystem::path(request.shell).replace_extension("").string());
-  const auto summary = core::read_json_file(request.results + "/summary.json");
+}
+
+/// The largest residual tension on each side, as the run has told it; nothing where the glass was not cooled.
+void tell_residual(const std::string& results, bool is_in_file) {
+  const auto summary = core::read_json_file(results + "/summary.json");
   const core::JsonValue* cooling = summary ? summary->find("cooling") : nullptr;
   if (!cooling) return;
   const auto tension = [&](const char* side) {
     const core::JsonValue* of_side = cooling->find(side);
     return of_side ? of_side->number_of("MPa") : 0;
   };
-  fmt::print("  to the tension of a load comes that of cooling, at most {:.2f} MPa outside and {:.2f} MPa inside\n",
+  fmt::print("  {}, at most {:.2f} MPa outside and {:.2f} MPa inside\n",
+             is_in_file ? "step 1 has the tension of cooling alone, the loads have it added"
+                        : "to the tension of a load comes that of cooling",
              tension("residual_outer"), tension("residual_inner"));
 }
 
@@ -59,16 +66,25 @@ forming::Scene scene_of(const std::string& results, const std::string& checkpoin
   return forming::read_scene(forming::case_copy_folder(results), origin.accuracy, origin.overrides);
 }
 
+void export_round_shell(const ExportRequest& request, const forming::ContainerShape& shape, double volume) {
+  const std::string checkpoint = forming::find_checkpoint(request.results);
+  const forming::Scene scene = scene_of(request.results, checkpoint);
+  forming::ShellGlass glass = forming::shell_glass(scene);
+  const bool has_cooled =
+      std::any_of(scene.stages.begin(), scene.stages.end(), [](const auto& one) { return one.cools; });
+  if (has_cooled)
+    glass.residual = forming::section_stress(forming::read_checkpoint(checkpoint, scene).outcome.state.glass);
+  tell_shell(request, forming::write_shell(request.shell, shape, glass), volume);
+  tell_residual(request.results, bool(glass.residual));
+}
+
 int export_round(const ExportRequest& request) {
   const forming::ContainerShape shape = forming::read_container_shape(request.results);
   const double glass = forming::revolved_volume(shape);
   tell_glass(request.results, glass);
   if (!request.step.empty()) tell(request.step, "solid of revolution", forming::write_step(request.step, shape), glass);
   if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, shape), glass);
-  if (!request.shell.empty()) {
-    const forming::Scene scene = scene_of(request.results, forming::find_checkpoint(request.results));
-    tell_shell(request, forming::write_shell(request.shell, shape, forming::shell_glass(scene)), glass);
-  }
+  if (!request.shell.empty()) export_round_shell(request, shape, glass);
   return 0;
 }
 
@@ -90,8 +106,10 @@ int export_space(const ExportRequest& request) {
                std::max(rounding, smooth.from_nodes) / core::millimetre, smooth.from_faces / core::millimetre);
   }
   if (!request.stl.empty()) tell(request.stl, "triangles", forming::write_stl(request.stl, *solid), glass);
-  if (!request.shell.empty())
+  if (!request.shell.empty()) {
     tell_shell(request, forming::write_shell(request.shell, *solid, forming::shell_glass(scene)), glass);
+    tell_residual(request.results, false);
+  }
   return 0;
 }
 

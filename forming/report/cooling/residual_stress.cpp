@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "core/math/numbers.hpp"
 #include "forming/report/container/container_report.hpp"
@@ -61,6 +63,48 @@ void add_base(core::JsonWriter& json, const BaseView& base) {
     list("y_mm", y, core::millimetre);
     list("on_diagonal_nm", base.on_diagonal, nanometre);
   }
+  json.close();
+}
+
+/// A stress of the wall, in one direction along it.
+struct StressOfWall {
+  double stress = 0;  ///< Pa
+  const char* direction = "";
+  Point outer = Point::Zero();  ///< m
+};
+
+/// The part of the stress through the wall that is largest, by sign of `better`.
+template <typename Part, typename Better>
+StressOfWall largest_of(const std::vector<WallStress>& wall, const Part& part, const Better& better) {
+  StressOfWall largest;
+  for (const WallStress& row : wall)
+    for (const auto& [direction, stress] : {std::pair{"hoop", row.hoop}, {"meridional", row.meridional}})
+      if (const double found = part(stress); better(found, largest.stress)) largest = {found, direction, row.outer};
+  return largest;
+}
+
+/// The largest tension of the mean through the wall, and the largest pressure or tension that is left at a surface.
+std::array<StressOfWall, 2> parts_of(const std::vector<WallStress>& wall) {
+  const auto is_more = [](double a, double b) { return std::abs(a) > std::abs(b); };
+  const auto at_surface = [&](const StressThroughWall& one) {
+    return is_more(one.inner, one.outer) ? one.inner : one.outer;
+  };
+  return {largest_of(
+              wall, [](const StressThroughWall& one) { return one.mean; }, std::greater<>{}),
+          largest_of(wall, at_surface, is_more)};
+}
+
+std::string place(const StressOfWall& part) {
+  return fmt::format("{:.2f} MPa ({}) at ({:.1f}, {:.1f}) mm", part.stress / megapascal, part.direction,
+                     part.outer[0] / core::millimetre, part.outer[1] / core::millimetre);
+}
+
+void add_part(core::JsonWriter& json, const char* key, const StressOfWall& part) {
+  json.open_object(key);
+  json.add("MPa", part.stress / megapascal);
+  json.add("direction", part.direction);
+  json.add("r_mm", part.outer[0] / core::millimetre);
+  json.add("z_mm", part.outer[1] / core::millimetre);
   json.close();
 }
 
@@ -135,6 +179,11 @@ void add_cooling(core::JsonWriter& json, const Summary& summary) {
   add_tension(json, "residual_inner", cold.tension.inner);
   add_tension(json, "largest_outer", seen.largest.outer);
   add_tension(json, "largest_inner", seen.largest.inner);
+  if (!summary.wall_stress.empty()) {
+    const auto [membrane, through_wall] = parts_of(summary.wall_stress);
+    add_part(json, "membrane", membrane);
+    add_part(json, "through_wall", through_wall);
+  }
   add_base(json, cold.base);
   json.close();
 }
@@ -182,6 +231,11 @@ std::vector<LabelledText> cooling_lines(const Summary& summary) {
   lines.push_back({"residual tension", sides(cold.tension)});
   lines.push_back(
       {"tension while cooling", fmt::format("{}, after {:.0f} s", sides(seen.largest), seen.largest.outer.time)});
+  if (!summary.wall_stress.empty()) {
+    const auto [membrane, through_wall] = parts_of(summary.wall_stress);
+    lines.push_back({"through the wall", fmt::format("mean at most {}; left without it at a side at most {}",
+                                                     place(membrane), place(through_wall))});
+  }
   if (const BaseView& base = cold.base; !base.radius.empty()) {
     const std::size_t most = base.largest();
     lines.push_back(

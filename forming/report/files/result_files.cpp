@@ -133,8 +133,9 @@ void make_folder(const std::string& directory) {
 /// A folder with the files of a run up to `written`; refuses one in which a file was changed that would be written
 /// anew.
 void require_folder(const Scene& scene, const std::string& directory) {
-  std::set<std::string> names{"summary.json", "thickness.csv", "contour.csv",   "heights.csv",
-                              "history.csv",  "tools.csv",     "interface.csv", "NOT_TRUSTWORTHY.txt"};
+  std::set<std::string> names{"summary.json",  "thickness.csv",       "contour.csv",
+                              "heights.csv",   "history.csv",         "tools.csv",
+                              "interface.csv", "residual_stress.csv", "NOT_TRUSTWORTHY.txt"};
   for (std::size_t body = 0; body <= scene.tools.size(); ++body) names.insert(body_file(scene, body) + ".pvd");
   core::claim_folder(directory, "run", names);
 }

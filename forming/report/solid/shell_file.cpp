@@ -7,6 +7,7 @@
 
 #include "core/math/numbers.hpp"
 #include "forming/report/solid/shell_loads.hpp"
+#include "forming/report/solid/shell_stress.hpp"
 #include "forming/scene/container/container_plan.hpp"
 #include "forming/scene/materials/material_library.hpp"
 
@@ -59,12 +60,14 @@ std::string shell_text(const Shell& shell, const ShellGlass& glass) {
   const ShellPlaces places = shell_places(shell, glass.up);
   return "** Container by Parison: the middle of the wall. Units: mm, t, s, N, MPa. A positive pressure on WALL acts "
          "from inside.\n*NODE, NSET=CONTAINER\n" +
-         nodes + elements_of(shell, 8, "S8R") + elements_of(shell, 6, "S6") + set_of("FINISH", numbers(places.finish)) +
-         set_of("BODY", numbers(places.body)) + set_of("BASE", places.base) + "*NODAL THICKNESS\n" + thickness +
-         glass.remark +
+         nodes + elements_of(shell, 8, glass.residual ? "S8" : "S8R") + elements_of(shell, 6, "S6") +
+         set_of("FINISH", numbers(places.finish)) + set_of("BODY", numbers(places.body)) + set_of("BASE", places.base) +
+         "*NODAL THICKNESS\n" + thickness + glass.remark +
          fmt::format("*MATERIAL, NAME=GLASS\n*ELASTIC\n{:g}, {:g}\n*DENSITY\n{:.6g}\n", glass.young / megapascal,
                      glass.poisson, glass.density / tonne_per_cubic_millimetre) +
-         "*SHELL SECTION, ELSET=WALL, MATERIAL=GLASS, NODAL THICKNESS\n1.\n" + shell_steps(shell, places, glass.up);
+         "*SHELL SECTION, ELSET=WALL, MATERIAL=GLASS, NODAL THICKNESS\n1.\n" +
+         (glass.residual ? initial_stress(shell, glass.residual) : "") +
+         shell_steps(shell, places, glass.up, bool(glass.residual));
 }
 
 }  // namespace parison::forming

@@ -159,7 +159,7 @@ std::string step(const char* remark, const std::string& held, const std::string&
 
 }  // namespace
 
-std::string shell_steps(const Shell& shell, const ShellPlaces& places, int up) {
+std::string shell_steps(const Shell& shell, const ShellPlaces& places, int up, bool has_stress) {
   constexpr double kilonewton = 1000, bar = 0.1;  // N, MPa
   const auto& [finish, body, base] = places;
   if (finish.empty() || body.empty()) return "** No loads: it is closed or open below.\n";
@@ -170,7 +170,8 @@ std::string shell_steps(const Shell& shell, const ShellPlaces& places, int up) {
   const auto lowest =
       std::min_element(body.begin(), body.end(), [&](const auto& a, const auto& b) { return height(a) < height(b); });
   const std::string loose = fmt::format("{}, 3, 3\n{}, 3, 3\n{}, 2, 2\n", right, left, lowest->first);
-  return step("Top load: 1 kN on FINISH, BASE on a plate", "BASE, 3, 3\n" + across, forces(finish, 3, -up * kilonewton),
+  return (has_stress ? step("Residual stress alone, no load", loose + across, "", "") : "") +
+         step("Top load: 1 kN on FINISH, BASE on a plate", "BASE, 3, 3\n" + across, forces(finish, 3, -up * kilonewton),
               "") +
          step("Inner pressure: 1 bar, held at FINISH", "FINISH, 3, 3\n" + across, "",
               fmt::format("WALL, P, {:g}\n", bar)) +

@@ -21,6 +21,7 @@ ShellPlaces shell_places(const Shell& shell, int up);
 /// Steps of an input file, none for what has no finish, each for itself and with the unit of its load: 1 kN on the
 /// finish over a plate, 1 bar inside, 1 kN between the sides. The tests of the trade: A. W. Bitting, J. Am. Ceram. Soc.
 /// 5 (1922), end crushing, hydrostatic and transverse pressure.
-std::string shell_steps(const Shell& shell, const ShellPlaces& places, int up);
+/// Of a shell that begins with stress a step without a load goes before.
+std::string shell_steps(const Shell& shell, const ShellPlaces& places, int up, bool has_stress);
 
 }  // namespace parison::forming

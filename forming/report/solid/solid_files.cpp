@@ -205,12 +205,24 @@ double shell_volume(const std::vector<MidPoint>& points) {
   return volume;
 }
 
+/// Divisions around with which S8, which is too stiff in bending where it is large, squeezes as S8R does, within 2 %:
+/// the square of their length is at most half of radius times thickness.
+int bending_divisions(double radius, double thickness) {
+  constexpr double share = 0.5;
+  constexpr int quarters = 4;  // both planes of the axes have nodes
+  return quarters * static_cast<int>(std::ceil(2 * M_PI * std::sqrt(radius / (share * thickness)) / quarters));
+}
+
 }  // namespace
 
 ShellMesh write_shell(const std::string& path, const ContainerShape& shape, ShellGlass glass, int divisions) {
   if (shape.middle.size() < 3) throw core::CaseError(fmt::format("{}: the glass is no wall, it has no middle", path));
-  double radius = 0;
-  for (const MidPoint& point : shape.middle) radius = std::max(radius, point.position[0]);
+  double radius = 0, thickness = 0;
+  for (const MidPoint& point : shape.middle) {
+    radius = std::max(radius, point.position[0]);
+    thickness += point.thickness / static_cast<double>(shape.middle.size());
+  }
+  if (glass.residual) divisions = std::max(divisions, bending_divisions(radius, thickness));
   std::vector<MidPoint> points = meridian(shape.middle, M_PI * radius / divisions, glass.up);
   constexpr double near_axis = 0.02;  // of the radius: the middle ends on the axis there
   for (MidPoint* end : {&points.front(), &points.back()})

@@ -20,8 +20,9 @@ struct ShellMesh {
   long elements, nodes;
   double volume;  ///< of the middle surface times the thickness, m3
 };
-/// Writes the middle of the wall as shell_text does, with S6 at the axis. `divisions` go around, with sides twice as
-/// long as along the wall. Throws core::CaseError where the glass is no wall.
+/// Writes the middle of the wall as shell_text does, with S6 at the axis. At least `divisions` go around, with sides
+/// twice as long as along the wall; more in a thin wall with residual stress. Throws core::CaseError where the glass is
+/// no wall.
 ShellMesh write_shell(const std::string& path, const ContainerShape& shape, ShellGlass glass, int divisions = 48);
 
 }  // namespace parison::forming

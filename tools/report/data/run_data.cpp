@@ -178,6 +178,7 @@ Json run_json(const std::string& path, const std::string& name, std::size_t runs
     WallTables wall = wall_tables(path, finished);
     run["heights"] = pack_table(wall.heights, runs, bytes);
     run["profile"] = pack_table(wall.profile, runs, bytes);
+    run["stress"] = pack_table(read_table(path + "/residual_stress.csv"), runs, bytes);
   }
   pack_films(folder, cache, film_budget / runs, run, bytes, problems);
   run["problems"] = problems;

@@ -67,7 +67,7 @@ function show(runs, program) {
       ? part("film", space ? "Film until the parison" : "Film", film.element)
       : part("film", "Film", element("p", { class: "soft" }, "No output has been written yet.")),
     wallPart(runs, charts),
-    coldPart(runs),
+    coldPart(runs, charts),
     machinePart(runs, charts),
     toolsPart(runs, charts),
     productionPart(state.productions, charts),

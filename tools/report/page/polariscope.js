@@ -106,9 +106,39 @@ function coldRun(run, several) {
   );
 }
 
-function coldPart(runs) {
+/** Stress around and along the wall: its mean through the wall, and what is left of it on both sides. */
+function stressCharts(runs, charts) {
+  const parts = { mean: "mean", outer: "rest, outer side", middle: "rest, middle", inner: "rest, inner side" };
+  const chart = (direction, title) =>
+    charts.chart({
+      title,
+      note: "mean through the wall, and the rest that the wall balances in itself; tension is positive",
+      xLabel: "along the outer side, mm",
+      yLabel: "stress, MPa",
+      alsoAt: (x) => runs.map((run) => heightAlong(run)(x)).join(""),
+      series: runs.flatMap((run) =>
+        Object.entries(parts)
+          .map(([name, label], i) => ({
+            label: runs.length > 1 ? `${run.name}: ${label}` : label,
+            x: run.column("stress", "arc_mm"),
+            y: run.column("stress", `${direction}_${name}_MPa`),
+            colour: runs.length > 1 ? run.index : i,
+            dash: runs.length > 1 ? i : 0,
+          }))
+          .filter((one) => one.x && one.y),
+      ),
+    });
+  return element(
+    "div",
+    { class: "charts" },
+    chart("hoop", "Residual stress around"),
+    chart("meridional", "Residual stress along the wall"),
+  );
+}
+
+function coldPart(runs, charts) {
   const cold = runs.filter((run) => run.summary && run.summary.cooling);
   return cold.length
-    ? part("cold", "Cold container", ...cold.map((run) => coldRun(run, runs.length > 1)))
+    ? part("cold", "Cold container", ...cold.map((run) => coldRun(run, runs.length > 1)), stressCharts(cold, charts))
     : null;
 }
