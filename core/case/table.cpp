@@ -9,10 +9,15 @@ namespace parison::core {
 
 namespace {
 
-/// Index of the interval of x that contains `at`, between 0 and size - 2.
+/// Index of the interval of x that contains `at`, between 0 and size - 2. Where entries are even, as those of a law
+/// that was tabulated, it is next to the place that a straight line through the ends gives.
 std::size_t interval(const std::vector<double>& x, double at) {
-  const auto above = std::upper_bound(x.begin(), x.end(), at);
   const auto last = static_cast<std::ptrdiff_t>(x.size()) - 2;
+  const double share = (at - x.front()) / (x.back() - x.front());
+  const auto guess = share > 0 ? static_cast<std::ptrdiff_t>(std::min(share, 1.0) * static_cast<double>(last)) : 0;
+  for (auto i = std::max<std::ptrdiff_t>(guess - 1, 0); i <= std::min(guess + 1, last); ++i)
+    if (x[i] <= at && at < x[i + 1]) return static_cast<std::size_t>(i);
+  const auto above = std::upper_bound(x.begin(), x.end(), at);
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - x.begin() - 1, 0, last));
 }
 

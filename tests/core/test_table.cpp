@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/case/table.hpp"
@@ -24,6 +25,26 @@ TEST(Table, a_smooth_curve_has_no_kinks_however_many_entries_it_is_given_by) {
   }
   EXPECT_TRUE(kinks(smooth, 0.05).empty());
   EXPECT_TRUE(kinks(constant(3), 0.05).empty());
+}
+
+TEST(Table, its_value_is_on_the_line_between_the_entries_around_it_however_uneven_they_are) {
+  Table even{{0}, {0}}, uneven = even, with_a_gap = even;
+  for (int i = 1; i <= 500; ++i) {
+    even.x.push_back(0.1 * i);
+    uneven.x.push_back(std::pow(1.02, i));
+    with_a_gap.x.push_back(i < 250 ? 1e-3 * i : 100 + 5 * i);
+    for (Table* table : {&even, &uneven, &with_a_gap}) table->y.push_back(std::sin(i));
+  }
+  for (const Table* table : {&even, &uneven, &with_a_gap})
+    for (std::size_t i = 0; i + 1 < table->x.size(); ++i)
+      for (const double share : {0.0, 1e-9, 0.37, 1 - 1e-9}) {
+        const double wide = table->x[i + 1] - table->x[i], rise = table->y[i + 1] - table->y[i];
+        const double at = table->x[i] + share * wide;
+        EXPECT_NEAR((*table)(at), table->y[i] + rise * (at - table->x[i]) / wide, 1e-12);
+        EXPECT_DOUBLE_EQ(table->derivative(at), rise / wide);
+      }
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(even(unknown)));
 }
 
 TEST(Table, its_integral_is_exact_between_and_beyond_the_entries) {
