@@ -43,11 +43,15 @@ function withError(value, error) {
 
 const words = (name) => name.replace(/_/g, " ");
 
+/** A heading that may go on in the next line behind a point or underscore of a name. */
+const heading = (text) => String(text).split(/(?<=[._])/).flatMap((piece, i) => (i ? [element("wbr"), piece] : [piece]));
+
 /** A table; a cell is a text, an element, or {number: text}. */
 function table(headings, rows) {
   const cell = (tag, content) => {
     const number = content !== null && typeof content === "object" && "number" in content;
-    return element(tag, { class: number ? "number" : null }, number ? content.number : content);
+    const shown = number ? content.number : content;
+    return element(tag, { class: number ? "number" : null }, ...(tag === "th" ? heading(shown) : [shown]));
   };
   return element(
     "div",
