@@ -75,7 +75,7 @@ void add_new(CLI::App& app, Command& chosen) {
   auto* like = command->add_option("--like", request->like, "name of a bundled case")->capture_default_str();
   auto* process = command
                       ->add_option("--process", request->wish.process,
-                                   fmt::format("of {}: a first gob, blank, plunger and mould of ordinary proportions "
+                                   fmt::format("of {}: a first gob and tools of ordinary proportions "
                                                "for the weight, capacity and height that are given",
                                                processes))
                       ->excludes(like);
@@ -87,7 +87,8 @@ void add_new(CLI::App& app, Command& chosen) {
   add("--capacity", request->wish.capacity, "to the rim, \"330 ml\"", true);
   add("--height", request->wish.height, "of the container, \"220 mm\"", true);
   add("--finish", request->wish.finish,
-      "outer diameter of the finish, or of the rim of pressed ware [that of the template]", false);
+      "outer diameter of the finish, of the rim of pressed ware or the stem of an ampoule [that of the template]",
+      false);
 }
 
 void add_cycle(CLI::App& app, Command& chosen) {

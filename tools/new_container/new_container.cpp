@@ -18,6 +18,7 @@
 #include "forming/scene/describe/unusual.hpp"
 #include "forming/scene/scene.hpp"
 #include "tools/new_container/container_fit.hpp"
+#include "tools/new_container/tubing.hpp"
 #include "tools/program/bundled_cases.hpp"
 
 namespace parison::tools {
@@ -98,14 +99,15 @@ void limit_gob(const std::string& file, double mass, std::vector<std::string>& g
           fmt::format("dimension.gob_diameter=min({}, {:.4g} mm)", dimension.given, 0.97 * ball / millimetre));
 }
 
-/// The template with plain numbers in place of its formulas.
-std::string resolved(const std::string& file, const std::vector<std::string>& overrides, const forming::Scene& scene) {
+/// The template with plain numbers in place of its formulas, to so many parts of a millimetre.
+std::string resolved(const std::string& file, const std::vector<std::string>& overrides, const forming::Scene& scene,
+                     double parts) {
   std::string text = core::read_text(file);
   for (const std::string& one : overrides) text = core::edited_case_text(text, file, one);
   for (const auto& dimension : scene.dimensions)
     text = core::edited_case_text(text, file,
                                   fmt::format("dimension.{}={:g} mm", dimension.name,
-                                              std::round(100 * dimension.measure.value / millimetre) / 100));
+                                              std::round(parts * dimension.measure.value / millimetre) / parts));
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
     text = core::edited_case_text(
         text, file, fmt::format("stage.{}.duration={:g} s", i, std::round(100 * scene.stages[i].duration) / 100));
@@ -119,15 +121,22 @@ std::string container_text(const ContainerWish& wish, const std::string& name) {
   const double mass = positive("--weight", wish.weight, mass_dimension);
   const double capacity = positive("--capacity", wish.capacity, core::dimension::volume);
   const double height = positive("--height", wish.height, core::dimension::length);
-  std::vector<std::string> given{fmt::format("dimension.height={:.6g} mm", height / millimetre)};
-  if (!wish.finish.empty())
-    given.push_back(fmt::format("dimension.finish_radius={:.6g} mm",
-                                positive("--finish", wish.finish, core::dimension::length) / 2 / millimetre));
-  given.push_back(fmt::format("glass.gob.mass={:.6g} g", 1e3 * mass));
-  limit_gob(file, mass, given);
-  std::vector<std::string> overrides = best_design(file, given, capacity, mass).fit.overrides;
+  std::optional<double> finish;
+  if (!wish.finish.empty()) finish = positive("--finish", wish.finish, core::dimension::length);
+  const bool tubing = wish.process == tubing_process;
+  std::vector<std::string> overrides;
+  if (tubing) {
+    overrides = fit_tubing({mass, capacity, height, finish}, forming::read_scene(file, "draft").glass.density());
+  } else {
+    overrides.push_back(fmt::format("dimension.height={:.6g} mm", height / millimetre));
+    if (finish) overrides.push_back(fmt::format("dimension.finish_radius={:.6g} mm", *finish / 2 / millimetre));
+    overrides.push_back(fmt::format("glass.gob.mass={:.6g} g", 1e3 * mass));
+    limit_gob(file, mass, overrides);
+    overrides = best_design(file, overrides, capacity, mass).fit.overrides;
+  }
   overrides.push_back(fmt::format("case={}", name));
-  return resolved(file, overrides, forming::read_scene(file, "draft", overrides));
+  constexpr double of_tubing = 1000, of_moulds = 100;  // a tube has walls of half a millimetre
+  return resolved(file, overrides, forming::read_scene(file, "draft", overrides), tubing ? of_tubing : of_moulds);
 }
 
 }  // namespace parison::tools
