@@ -15,7 +15,7 @@ try:
     from selenium.webdriver.common.keys import Keys  # noqa: F401
     from selenium.webdriver.support.ui import Select
 except ImportError:
-    webdriver = None
+    webdriver = ActionChains = Keys = None
 
 MISSING = [what for what, there in (("Chromium", BROWSER), ("chromedriver", DRIVER), ("python3-selenium", webdriver)) if not there]
 

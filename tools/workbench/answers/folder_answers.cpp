@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/case/case_error.hpp"
 #include "tools/new_container/new_case.hpp"
 #include "tools/program/bundled_cases.hpp"
 #include "tools/workbench/answers/workbench_state.hpp"
@@ -18,6 +19,14 @@ void add_names(const std::string& key, const std::vector<std::string>& names, co
   json.open_list(key);
   for (std::size_t i = 0; i < names.size() && i < most; ++i) json.add("", names[i]);
   json.close();
+}
+
+/// The texts of a list of what was asked.
+std::vector<std::string> texts_of(const Asked& asked, const char* name) {
+  std::vector<std::string> texts;
+  if (const Asked* list = asked.find(name))
+    for (const Asked& one : list->items) texts.push_back(one.text);
+  return texts;
 }
 
 }  // namespace
@@ -62,10 +71,17 @@ void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json
 
 void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
   const OpenCase& one = state.open(asked.text_of("case"));
-  std::vector<std::string> changes;
-  if (const Asked* set = asked.find("set"))
-    for (const Asked& item : set->items) changes.push_back(item.text);
-  json.add("results", state.runs.start_what_if(one.file(), asked.text_of("accuracy"), changes));
+  json.add("results", state.runs.start_what_if(one.file(), asked.text_of("accuracy"), texts_of(asked, "set")));
+}
+
+void start_search(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {
+  const OpenCase& one = state.open(asked.text_of("case"));
+  const std::string table = wanted_wall_of(state, asked), wall = table.empty() ? asked.text_of("wall") : table;
+  if (table.empty() && wall.find(".csv") != wall.npos)
+    throw core::CaseError(fmt::format("\"{}\" was found, allowed are even and a thickness such as 2.5 mm", wall));
+  const std::vector<std::string> bounds = texts_of(asked, "bounds");
+  json.add("results",
+           state.runs.start_search(one.file(), asked.text_of("accuracy"), wall, asked.text_of("from"), bounds));
 }
 
 void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter&) {
@@ -88,11 +104,8 @@ void add_results(WorkbenchState& state, const Asked& asked, core::JsonWriter& js
   std::vector<EndedRun> known;
   if (const std::string sketch = state.sketch.ended_of(file); !sketch.empty()) known.push_back({"sketch", sketch});
   for (const std::string& name : names) known.push_back({name, state.folder.existing(name)});
-  std::vector<std::string> accuracies;
-  if (const Asked* all = asked.find("accuracies"))
-    for (const Asked& one : all->items) accuracies.push_back(one.text);
   const std::lock_guard<std::mutex> lock(state.reading);
-  add_expected(file, accuracies, known, json);
+  add_expected(file, texts_of(asked, "accuracies"), known, json);
 }
 
 void add_outline(WorkbenchState& state, const Asked& asked, core::JsonWriter& json) {

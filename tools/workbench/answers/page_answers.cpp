@@ -69,12 +69,12 @@ using Answer = void (*)(WorkbenchState&, const Asked&, core::JsonWriter&);
 
 const std::map<std::string, Answer>& answers() {
   static const std::map<std::string, Answer> all{
-      {"start", add_start},        {"case", add_case},       {"news", add_news},       {"set", change_values},
-      {"text", change_text},       {"undo", undo_change},    {"redo", redo_change},    {"check", add_check},
-      {"handles", add_handles},    {"new", make_case},       {"run", start_run},       {"what-if", start_what_if},
-      {"stop", stop_run},          {"resume", resume_run},   {"sketch", start_sketch}, {"outline", add_outline},
-      {"drawings", add_drawings},  {"drawing", add_drawing}, {"results", add_results}, {"open", open_recent},
-      {"wanted", take_wanted_wall}};
+      {"start", add_start},         {"case", add_case},       {"news", add_news},       {"set", change_values},
+      {"text", change_text},        {"undo", undo_change},    {"redo", redo_change},    {"check", add_check},
+      {"handles", add_handles},     {"new", make_case},       {"run", start_run},       {"what-if", start_what_if},
+      {"stop", stop_run},           {"resume", resume_run},   {"sketch", start_sketch}, {"outline", add_outline},
+      {"drawings", add_drawings},   {"drawing", add_drawing}, {"results", add_results}, {"open", open_recent},
+      {"wanted", take_wanted_wall}, {"allowed", add_allowed}, {"search", start_search}};
   return all;
 }
 

@@ -54,11 +54,14 @@ void change_text(WorkbenchState& state, const Asked& asked, core::JsonWriter& js
 void undo_change(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void redo_change(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_check(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+/// The words that the reader allows in place of a word, `probe`, of a text that is not written: keys of a table, names.
+void add_allowed(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void add_handles(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void open_recent(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void make_case(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_what_if(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
+void start_search(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void stop_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void resume_run(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);
 void start_sketch(WorkbenchState& state, const Asked& asked, core::JsonWriter& json);

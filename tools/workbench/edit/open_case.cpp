@@ -27,11 +27,16 @@ std::string text_of(const std::string& file) {
   return content.content;
 }
 
+/// The name of a file beside a case that is there as long as this process needs it.
+std::string beside_of(const fs::path& file) {
+  return (file.parent_path() / passing_name(passing, file.filename().string())).string();
+}
+
 }  // namespace
 
 void write_users_file(const std::string& file, const std::string& text) {
   const fs::path path(file);
-  const std::string beside = (path.parent_path() / passing_name(passing, path.filename().string())).string();
+  const std::string beside = beside_of(path);
   try {
     core::write_text(beside, text);
     if (fs::exists(path)) fs::permissions(beside, fs::status(path).permissions());
@@ -43,6 +48,15 @@ void write_users_file(const std::string& file, const std::string& text) {
     throw;
   }
   core::sync_to_disk(path.parent_path().string());
+}
+
+PassingCopy::PassingCopy(const std::string& case_file, const std::string& text) : file_(beside_of(case_file)) {
+  core::write_text(file_, text);
+}
+
+PassingCopy::~PassingCopy() {
+  std::error_code ignored;
+  fs::remove(file_, ignored);
 }
 
 OpenCase::OpenCase(std::string file)

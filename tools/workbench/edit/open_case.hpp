@@ -42,4 +42,18 @@ class OpenCase {
 /// Replaces a file of the user atomically, with the rights that it has; a reader sees the old text or the new one.
 void write_users_file(const std::string& file, const std::string& text);
 
+/// Another text of a case in a file beside it, as long as this lives: what it names beside it is found.
+class PassingCopy {
+ public:
+  PassingCopy(const std::string& case_file, const std::string& text);
+  ~PassingCopy();
+  PassingCopy(const PassingCopy&) = delete;
+  PassingCopy& operator=(const PassingCopy&) = delete;
+
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+};
+
 }  // namespace parison::tools

@@ -61,7 +61,8 @@ FolderContent OpenFolder::content() const {
     std::error_code gone;
     if (at->is_symlink(gone)) continue;
     if (at->is_directory(gone)) {
-      const bool is_result = is_result_folder(path.string()) || fs::exists(path / "comparison.json", gone);
+      const bool is_result = is_result_folder(path.string()) || fs::exists(path / "comparison.json", gone) ||
+                             fs::exists(path / "result.json", gone);
       if (is_result) results.emplace_back(fs::last_write_time(path, gone), below);
       if (is_result || name.front() == '.' || at.depth() + 1 >= deepest) at.disable_recursion_pending();
     } else if (name == "case.toml") {

@@ -8,7 +8,7 @@ namespace parison::tools {
 /// What lies in a folder, newest first; names are paths below it.
 struct FolderContent {
   std::vector<std::string> cases;    ///< case files
-  std::vector<std::string> results;  ///< folders of runs, and of what-ifs
+  std::vector<std::string> results;  ///< folders of runs, of what-ifs and of searches
 };
 
 /// The folder that the workbench was opened with: nothing outside it is read or written, except the bundled cases,

@@ -25,3 +25,14 @@ export function say(sentence, kind = "bad") {
   line.className = kind;
   line.hidden = !sentence;
 }
+
+/** What the browser keeps for the next time: sets it where a value is given, null takes it away; null where it keeps nothing. */
+export function kept(name, value) {
+  try {
+    if (value === null) localStorage.removeItem(name);
+    else if (value !== undefined) localStorage.setItem(name, value);
+    return localStorage.getItem(name);
+  } catch {
+    return null;
+  }
+}

@@ -6,7 +6,8 @@ import {
   Annotation, EditorState, EditorView, HighlightStyle, StreamLanguage, defaultKeymap, drawSelection, highlightActiveLine, indentWithTab, keymap, lineNumbers, lintGutter,
   searchKeymap, setDiagnostics, syntaxHighlighting, tags, toml,
 } from "./codemirror/codemirror.min.js";
-import { element, say } from "./dom.js";
+import { completion } from "./completion.js";
+import { element, kept, say } from "./dom.js";
 import { inTurn, model, on, takeCase } from "./model.js";
 import { word } from "./words.js";
 
@@ -38,8 +39,21 @@ function choose(theirs, mine) {
 }
 
 export function caseEditor(place) {
-  let pause = 0, typed = false, sending = false, name = "", view = null;
-  let base = 0; // the version that the text was typed into: the model may be newer
+  let pause = 0, typed = false, sending = false, name = "", storage = "", view = null;
+  let base = 0, baseText = ""; // the version that the text was typed into: the model may be newer
+
+  /** The browser keeps what was typed and is not in the file yet: it outlives the tab and the server. */
+  const keep = () => kept(storage, typed ? JSON.stringify({ base: baseText, text: view.state.doc.toString() }) : null);
+
+  /** Types again what a tab or a server that was killed has not written. */
+  async function recover() {
+    const left = JSON.parse(kept(storage) || "null"), of = name;
+    if (!left || left.text === baseText || model.bundled) return kept(storage, null);
+    const text = left.base === baseText ? left.text : await choose(baseText, left.text);
+    if (of !== name) return;
+    if (text === left.text) view.dispatch({ changes: difference(view.state.doc.toString(), text) });
+    else keep();
+  }
 
   /** Writes what was typed; where the file has changed meanwhile the user says which text stays. */
   async function write() {
@@ -53,26 +67,31 @@ export function caseEditor(place) {
       try {
         const answer = await ask("text", { case: name, version: base, text });
         base = answer.version;
+        baseText = text;
         if (name === model.name) takeCase(answer);
         say("");
       } catch (error) {
         typed = true;
         if (error.status !== 422) break; // the next key, or the next look, tries again
-        const now = await ask("case", { case: name });
-        const kept = now.text === text ? text : await choose(now.text, text);
-        again = typed = kept === text && view.state.doc.toString() !== now.text;
+        const now = await ask("case", { case: name }).catch(() => null);
+        if (!now) break;
+        const stays = now.text === text ? text : await choose(now.text, text);
+        again = typed = stays === text && view.state.doc.toString() !== now.text;
         base = now.version;
+        baseText = now.text;
         if (!typed && name === model.name) takeCase(now);
       }
     }
     sending = false;
+    keep();
     take();
   }
 
   function take() {
-    if (!view || typed || sending) return;
+    if (!view || typed || sending || !place.isConnected) return;
     if (name !== model.name) start();
     base = model.version;
+    baseText = model.text;
     const now = view.state.doc.toString();
     if (now !== model.text) view.dispatch({ changes: difference(now, model.text), annotations: fromFile.of(true) });
     mark();
@@ -91,6 +110,7 @@ export function caseEditor(place) {
   const changed = EditorView.updateListener.of((update) => {
     if (!update.docChanged || update.transactions.some((one) => one.annotation(fromFile))) return;
     typed = true;
+    keep();
     clearTimeout(pause);
     pause = setTimeout(() => inTurn(write), 400);
   });
@@ -98,10 +118,13 @@ export function caseEditor(place) {
   function start() {
     name = model.name;
     base = model.version;
+    baseText = model.text;
+    storage = `typed ${model.file}`;
     if (view) view.destroy();
     view = new EditorView({ parent: place, state: EditorState.create({ doc: model.text, extensions: [
       lineNumbers(), highlightActiveLine(), drawSelection(), lintGutter(), StreamLanguage.define(toml), syntaxHighlighting(style), EditorState.readOnly.of(Boolean(model.bundled)),
-      keymap.of([...defaultKeymap, ...searchKeymap, indentWithTab]), EditorView.contentAttributes.of({ "aria-label": word("text") }), changed] }) });
+      completion, keymap.of([...defaultKeymap, ...searchKeymap, indentWithTab]), EditorView.contentAttributes.of({ "aria-label": word("text") }), changed] }) });
+    recover();
   }
 
   model.flush = write;

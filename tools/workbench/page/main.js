@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame of the page: head, the screens, keys, what is new.
 
-import { element, say } from "./dom.js";
+import { element, kept, say } from "./dom.js";
 import { change, forget, model, news, on } from "./model.js";
 import { startScreen } from "./start.js";
 import { caseScreen } from "./case.js";
 import { languageName, otherLanguage, setLanguage, word } from "./words.js";
-
-const kept = (name, value) => {
-  try {
-    if (value !== undefined) localStorage.setItem(name, value);
-    return localStorage.getItem(name);
-  } catch {
-    return null;
-  }
-};
 
 function applyTheme(theme) {
   document.documentElement.dataset.theme =

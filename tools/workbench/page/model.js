@@ -42,10 +42,11 @@ export async function openCase(name) {
   takeCase(await ask("case", { case: name }));
 }
 
-/** Does work after all that was asked for before. */
+/** Does work after all that was asked for before, also where that failed. */
 export function inTurn(work) {
-  queue = queue.then(work);
-  return queue;
+  const done = queue.then(work);
+  queue = done.catch(() => null);
+  return done;
 }
 
 /** Changes follow each other, what was typed first, each of the version that the one before has left. False where it was refused. */

@@ -23,14 +23,15 @@ function progress(run) {
     element("p", { class: "number" }, run.time_s ? word("time", shown(at, 3), shown(longest, 2), run.stage || "–") : run.state === "running" ? last : "")];
 }
 
-/** Choices that write a change into the text: a value of the case, and what it is to be. */
-function changeChooser(changes) {
-  const to = element("input", { id: "what-to", size: 10, "aria-label": word("newValue") });
-  const what = element("select", { id: "what", "aria-label": word("valueToChange"), onchange: () => (to.value = what.selectedOptions[0]?.dataset.value ?? "") });
+/** Choices that write a line into a text: a value of the case, and `suggested` of what it is now. */
+function lineChooser(id, lines, suggested = (value) => value) {
+  const to = element("input", { id: `${id}-to`, size: 17, "aria-label": word("newValue") });
+  const now = () => suggested(what.selectedOptions[0]?.dataset.value ?? "");
+  const what = element("select", { id, "aria-label": word("valueToChange"), onchange: () => (to.value = now()) });
   const add = () => {
     const named = Object.fromEntries(model.values.map(([key, value]) => [key, value]));
     const key = what.value.replace(/^(stage|tool|probe)\.\d+/, (entry) => `${entry.split(".")[0]}.${named[`${entry}.name`]}`);
-    changes.value = [changes.value.trim(), `${key}=${to.value}`].filter((line) => line).join("\n");
+    lines.value = [lines.value.trim(), `${key}=${to.value}`].filter((line) => line).join("\n");
   };
   on("case", () => {
     const chosen = what.value, written = to.value;
@@ -38,9 +39,31 @@ function changeChooser(changes) {
       ...one.fields.map(([key, label, value]) => element("option", { value: key, "data-value": value }, `${one.title}: ${label.replace(/_/g, " ")}`)))));
     what.value = chosen;
     if (what.value !== chosen || !chosen) what.selectedIndex = 0;
-    to.value = what.value === chosen ? written : (what.selectedOptions[0]?.dataset.value ?? "");
+    to.value = what.value === chosen ? written : now();
   });
-  return element("div", { class: "bar" }, what, to, element("button", { id: "what-add", onclick: add }, word("addChange")));
+  return element("div", { class: "bar" }, what, to, element("button", { id: `${id}-add`, onclick: add }, word("addChange")));
+}
+
+/** A text of some lines, and those that say something. */
+const linesField = (id, label, placeholder) => element("textarea", { id, rows: 3, spellcheck: "false", "aria-label": word(label), placeholder });
+const linesOf = (field) => field.value.split("\n").map((line) => line.trim()).filter((line) => line);
+
+/** Bounds around a value: a tenth to either side, of temperatures, whose zero is elsewhere, so many degrees. Assumed: to begin with. */
+function boundsOf(value) {
+  const number = Number.parseFloat(value), unit = value.replace(/^[-\d.e+]+\s*/i, ""), reach = unit === "degC" ? 20 : 0.1 * Math.abs(number);
+  const text = (at) => `${Number(at.toPrecision(4))} ${unit}`.trim();
+  return Number.isFinite(number) ? `${text(number - reach)} to ${text(number + reach)}` : value;
+}
+
+/** What gives the wall that is wanted: bounds, a goal, and a search, which tells all corners of the bounds that the case refuses before its first run. */
+function searchPart(begin) {
+  const bounds = linesField("bounds", "bounds", "dimension.blank_end_radius=26 mm to 29 mm\nstage.reheat.duration=1 s to 2 s");
+  const wall = element("input", { id: "search-wall", size: 8, value: "even" }), from = element("input", { id: "search-from", size: 8, placeholder: "14 mm" });
+  on("sketch", () => (wall.disabled = Boolean(model.wanted)));
+  const search = () => linesOf(bounds).length && begin("search", { wall: wall.value, wanted: model.wanted, from: from.value, bounds: linesOf(bounds) });
+  return [element("h3", {}, word("search")), element("p", { class: "soft" }, word("searchHint")), lineChooser("bound", bounds, boundsOf), bounds,
+    element("div", { class: "bar" }, element("label", { title: word("wallSoughtHelp") }, element("span", {}, word("wallSought")), wall), element("label", {}, element("span", {}, word("countsFrom")), from),
+      element("button", { id: "search", onclick: search }, word("startSearch")))];
 }
 
 export function runPart(openResult) {
@@ -62,19 +85,13 @@ export function runPart(openResult) {
     await tryAsk(question, { results: model.results });
     await news();
   };
-  const begin = async () => {
-    const made = await tryAsk("run", { case: model.name, accuracy: select.value });
-    if (!made) return;
-    follow(made.results);
-    await news();
-  };
-  const changes = element("textarea", { id: "changes", rows: 3, spellcheck: "false", "aria-label": word("changes"), placeholder: "stage.reheat.duration=1.9 s\ntool.blank.temperature=440 degC" });
-  const compare = async () => {
-    const set = changes.value.split("\n").map((line) => line.trim()).filter((line) => line);
-    const made = set.length && (await tryAsk("what-if", { case: model.name, accuracy: select.value, set }));
+  const begin = async (question, asked) => {
+    const made = await tryAsk(question, { case: model.name, accuracy: select.value, ...asked });
     if (made) follow(made.results);
     await news();
   };
+  const changes = linesField("changes", "changes", "stage.reheat.duration=1.9 s\ntool.blank.temperature=440 degC");
+  const compare = () => linesOf(changes).length && begin("what-if", { set: linesOf(changes) });
   const follow = (results) => {
     model.results = results;
     model.run = null;
@@ -84,12 +101,13 @@ export function runPart(openResult) {
     const run = model.run;
     if (!run) return state.replaceChildren(element("p", { class: "soft" }, word("noRun")));
     const button = (name, question, main) => element("button", { id: `run-${question}`, class: main ? "main" : null, onclick: () => act(question) }, word(name));
-    const resumable = !run.ours && ["stopped", "ended", "failed"].includes(run.state) && run.time_s > 0;
+    const resumable = !run.ours && (run.goes_on || (run.study === undefined && ["stopped", "ended", "failed"].includes(run.state)));
     state.replaceChildren(...[element("h3", {}, run.results, " ", element("span", { class: `state ${run.state}` }, word(`state_${run.state}`))), ...progress(run),
       element("div", { class: "bar" }, run.ours ? button("stopRun", "stop") : null, resumable ? button("resumeRun", "resume", true) : null,
         hasResult(run) ? element("button", { id: "run-look", class: run.state === "completed" ? "main" : null, onclick: openResult }, word("openResult")) : null,
-        run.state === "completed" && !run.study ? element("button", { id: "run-draw", onclick: () => showResult(model.results).catch((error) => say(error.message)) }, word("drawResult")) : null),
-      run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log)) : null].filter((one) => one));
+        run.state === "completed" && !run.study ? element("button", { id: "run-draw", onclick: () => showResult(model.results).catch((error) => say(error.message)) }, word("drawResult")) : null,
+        run.case ? element("a", { id: "run-found", href: `#case=${encodeURIComponent(run.case)}` }, word("openFound")) : null),
+      run.told ? element("p", {}, run.told) : null, run.log ? element("details", { open: run.state === "failed" }, element("summary", {}, `${run.results}.log`), element("pre", {}, run.log.replace(/; (?=(and )?at )/g, "\n\n"))) : null].filter((one) => one));
   };
   let seen = "",
     caseName = null;
@@ -118,9 +136,9 @@ export function runPart(openResult) {
   on("handles", listResults);
   on("sketch", () => model.sketch.running || listResults());
   show();
-  return element("div", { class: "run" }, element("div", { class: "bar" }, element("label", {}, element("span", {}, word("accuracy")), select), element("button", { class: "main", id: "run-start", onclick: begin }, word("startRun"))),
-    expected, state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), changeChooser(changes), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
-    element("h3", {}, word("yourResults")), list);
+  return element("div", { class: "run" }, element("div", { class: "bar" }, element("label", {}, element("span", {}, word("accuracy")), select), element("button", { class: "main", id: "run-start", onclick: () => begin("run") }, word("startRun"))),
+    expected, state, element("h3", {}, word("whatIf")), element("p", { class: "soft" }, word("whatIfHint")), lineChooser("what", changes), changes, element("div", { class: "bar" }, element("button", { id: "compare", onclick: compare }, word("compare"))),
+    ...searchPart(begin), element("h3", {}, word("yourResults")), list);
 }
 
 /** Buttons that bring the container of a result to other programs. */

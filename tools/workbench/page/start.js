@@ -33,6 +33,7 @@ const ordinary = {
   press_and_blow: { weight: "220 g", capacity: "430 ml", height: "130 mm", finish: "66 mm" },
   blow_and_blow: { weight: "450 g", capacity: "770 ml", height: "300 mm", finish: "29 mm" },
   pressed: { weight: "230 g", capacity: "250 ml", height: "100 mm", finish: "73 mm" },
+  tubing: { weight: "1.3 g", capacity: "2.7 ml", height: "44 mm", finish: "5.7 mm" },
 };
 
 function newForm(taken) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/case/case_error.hpp"
+#include "core/case/text/case_text.hpp"
 #include "core/io/files.hpp"
 #include "forming/study/comparison/study_folder.hpp"
 #include "tools/program/child_process.hpp"
@@ -57,7 +58,24 @@ void Runs::begin(const std::vector<std::string>& words, const std::string& resul
 
 namespace {
 
-const std::string what_if_begin = "what_if_";
+const std::string what_if_begin = "what_if_", search_begin = "optimise_";
+
+/// A table of a goal file for bounds, "key=from to to".
+std::string variable_text(const std::string& bounds) {
+  static const std::regex form(R"(\s*([^=]+?)\s*=\s*(.+?)\s+to\s+(.+?)\s*)");
+  std::smatch found;
+  if (!std::regex_match(bounds, found, form))
+    throw core::CaseError(
+        fmt::format("\"{}\" was found, allowed are bounds such as stage.reheat.duration=1 s to 2 s", bounds));
+  return fmt::format("[[variable]]\nkey = {}\nfrom = {}\nto = {}\n", core::quoted(found[1]), core::quoted(found[2]),
+                     core::quoted(found[3]));
+}
+
+/// The goal file of the folder of a search; empty for others.
+std::string goal_of(const fs::path& folder) {
+  const fs::path goal = folder.string() + ".toml";
+  return folder.filename().string().rfind(search_begin, 0) == 0 && fs::exists(goal) ? goal.string() : "";
+}
 
 /// The name of a case by its file.
 std::string name_of_case(const std::string& file) {
@@ -72,7 +90,8 @@ std::vector<std::string> Runs::of_case(const std::string& case_file) const {
   std::vector<std::string> names;
   for (const std::string& results : folder_.content().results) {
     std::string name = fs::path(results).filename().string();
-    if (name.rfind(what_if_begin, 0) == 0) name.erase(0, what_if_begin.size());
+    for (const std::string& begin : {what_if_begin, search_begin})
+      if (name.rfind(begin, 0) == 0) name.erase(0, begin.size());
     if (name.rfind(own, 0) == 0 && std::regex_match(name.substr(own.size()), std::regex("(_[0-9]+)?")))
       names.push_back(results);
   }
@@ -96,6 +115,20 @@ std::string Runs::start_what_if(const std::string& case_file, const std::string&
   return results;
 }
 
+std::string Runs::start_search(const std::string& case_file, const std::string& accuracy, const std::string& wall,
+                               const std::string& from, const std::vector<std::string>& bounds) {
+  if (bounds.empty()) throw core::CaseError("bounds: none were found, allowed is one or more");
+  std::string goal = fmt::format("case = {0}\naccuracy = {1}\nconfirm = {1}\n[goal]\nwall = {2}\n",
+                                 core::quoted(case_file), core::quoted(accuracy), core::quoted(wall));
+  if (!from.empty()) goal += fmt::format("from = {}\n", core::quoted(from));
+  for (const std::string& one : bounds) goal += variable_text(one);
+  const std::string results = folder_.new_results(search_begin + name_of_case(case_file));
+  const std::string output = (fs::path(folder_.path()) / results).string();
+  core::replace_file(output + ".toml", goal);
+  begin({"optimise", output + ".toml", "--output", output}, results);
+  return results;
+}
+
 void Runs::add_study(const std::string& results, bool alive, core::JsonWriter& json) {
   const fs::path path = fs::path(folder_.path()) / results;
   bool has_report = fs::exists(path / "report.html");
@@ -105,6 +138,9 @@ void Runs::add_study(const std::string& results, bool alive, core::JsonWriter& j
   }
   has_report = has_report && !alive;
   json.add("study", has_report);
+  json.add("goes_on", !has_report && fs::exists(path) && !goal_of(path).empty());
+  if (const fs::path found = path / "case" / "case.toml"; has_report && fs::exists(found))
+    json.add("case", results + "/case/case.toml");
   json.add("state", alive ? "running" : has_report ? "completed" : "failed");
   json.add("log", has_report ? "" : tail_of(path.string() + ".log"));
 }
@@ -112,7 +148,10 @@ void Runs::add_study(const std::string& results, bool alive, core::JsonWriter& j
 void Runs::resume(const std::string& results) {
   const std::string folder = folder_.existing(results);
   if (is_alive(results) || is_written(folder)) throw core::CaseError(fmt::format("{}: goes on already", results));
-  begin({"resume", folder, "--keep-going"}, results);
+  if (const std::string goal = goal_of(folder); !goal.empty())
+    begin({"optimise", goal, "--output", folder}, results);
+  else
+    begin({"resume", folder, "--keep-going"}, results);
 }
 
 void Runs::stop(const std::string& results) {

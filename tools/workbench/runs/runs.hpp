@@ -22,6 +22,10 @@ class Runs {
   /// Starts runs of a case and of changes of it, key=value, which end with a report of their differences.
   std::string start_what_if(const std::string& case_file, const std::string& accuracy,
                             const std::vector<std::string>& changes);
+  /// Starts a search for values of a case between bounds, "key=from to to", that give a wall as a goal file has it,
+  /// counted from a height on, or from the rim where that is empty.
+  std::string start_search(const std::string& case_file, const std::string& accuracy, const std::string& wall,
+                           const std::string& from, const std::vector<std::string>& bounds);
   /// Goes on with one from its last checkpoint.
   void resume(const std::string& results);
   /// Asks one to end with a checkpoint.

@@ -6,3 +6,4 @@ export { setDiagnostics, lintGutter } from "@codemirror/lint";
 export { searchKeymap, highlightSelectionMatches } from "@codemirror/search";
 export { toml } from "@codemirror/legacy-modes/mode/toml";
 export { tags } from "@lezer/highlight";
+export { autocompletion, completionKeymap } from "@codemirror/autocomplete";
