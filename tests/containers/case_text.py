@@ -32,15 +32,18 @@ def boundary(name, condition, path):
 class Tool:
     """A tool: `boundaries` of (name, condition, path), friction as TOML, temperature in degC."""
 
-    def __init__(self, name, boundaries, temperature, friction, material="grey_iron", position=None):
+    def __init__(self, name, boundaries, temperature, friction, material="grey_iron", position=None,
+                 section=None):
         self.name, self.boundaries, self.temperature = name, boundaries, temperature
-        self.friction, self.material, self.position = friction, material, position
+        self.friction, self.material, self.position, self.section = friction, material, position, section
 
     def text(self):
         lines = ["[[tool]]", f'name = "{self.name}"', f'material = "{self.material}"',
                  f'temperature = "{self.temperature} degC"', f"friction = {self.friction}"]
         if self.position is not None:
             lines.append(f'position = "{number(self.position)} mm"')
+        if self.section is not None:
+            lines.append(f"section = {self.section}")
         return "\n".join(lines + ["boundary = ["] + [boundary(*b) for b in self.boundaries] + ["]", ""])
 
 
@@ -78,11 +81,11 @@ def ring(radius, height, temperature):
     return [neck, plate]
 
 
-def closed_mould(name, inner, temperature, friction):
-    """A mould around a cavity that opens at its lower end and is closed on the axis at its upper end."""
+def closed_mould(name, inner, temperature, friction, section=None):
+    """A mould around a cavity that opens at its lower end and is closed on the axis at its upper end; `section` as TOML."""
     points = inner.points()
     start, end = points[0], points[-1]
     outer, top = max(r for r, _ in points) + WALL, max(z for _, z in points) + WALL
     return Tool(name, [("inner", CONTACT, inner), ("axis", SYMMETRY, Path((0, top))),
                        ("outer", cooled(200), Path((outer, top), (outer, start[1]))),
-                       ("bottom", INSULATED, Path(start))], temperature, friction)
+                       ("bottom", INSULATED, Path(start))], temperature, friction, section=section)

@@ -65,11 +65,11 @@ def fits(inner, outer):
     return gap_within(inner, outer) >= 0 and all(radius_at(inner, z) <= r for r, z in corners)
 
 
-def draw_shape(draw, tip=None, clearance=None):
-    """Shapes that suit each other; None where the drawn numbers make no container."""
+def draw_shape(draw, tip=None, clearance=None, container=container, walls=(1.8, 3.2), girth=1):
+    """Shapes that suit each other; None where the drawn numbers make no container. `girth` as in press_and_blow."""
     finish, height, total, mould = container(draw)
-    wall = rounded(draw, 1.8, 3.2)
-    wanted = wall * (area(mould.points()) + 2 * math.pi * finish * height)
+    wall = rounded(draw, *walls)
+    wanted = wall * girth * (area(mould.points()) + 2 * math.pi * finish * height)
     length = round(height + (total - height) * draw.uniform(0.58, 0.70), 1)
     plunger, full = long_plunger(draw, finish, height, length, tip)
     displaced, corner_share = volume(plunger.outer(-full).points()), draw.uniform(0.5, 0.8)

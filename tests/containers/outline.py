@@ -33,6 +33,12 @@ class Path:
         self.parts.append(((rounded[0], rounded[1]), *rounded[2:]))
         return self
 
+    def reversed(self):
+        """The same from its end to its start."""
+        turned = Path()
+        turned.parts = [part[::-1] if isinstance(part, list) else (*part[:2], part[3], part[2]) for part in self.parts[::-1]]
+        return turned
+
     def text(self):
         """The value of `path` in a case file."""
         texts = []

@@ -107,11 +107,12 @@ class Times:
     run: tuple
 
 
-def draw_shape(draw):
-    """Shapes that suit each other; None where the drawn numbers make no container."""
+def draw_shape(draw, container=container, walls=(2.2, 4.2), girth=1):
+    """Shapes that suit each other; None where the drawn numbers make no container. `girth`: of the container, over that of
+    the cavity that is drawn."""
     finish, height, total, mould = container(draw)
-    wall = rounded(draw, 2.2, 4.2)
-    wanted = wall * (area(mould.points()) + 2 * math.pi * finish * height)
+    wall = rounded(draw, *walls)
+    wanted = wall * girth * (area(mould.points()) + 2 * math.pi * finish * height)
     length = round(height + (total - height) * draw.uniform(0.66, 0.78), 1)
     blank, neck, end = blank_cavity(draw, finish, height, length)
     plunger, full = plunger_in(draw, blank, height, neck, end, length, wanted)
