@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/solid/hex_geometry.hpp"
 #include "forming/solid/solid_heat.hpp"
 #include "remesh/solid/cell_places.hpp"
 #include "remesh/solid/wall_straightening.hpp"
@@ -46,20 +47,28 @@ void share_mass(const MovedParts& parts, const Eigen::VectorXd& by_volume, Eigen
   for_moved([&](Index i) { mass[i] = by_volume[i] * (before / after); });
 }
 
+/// Whether a cell that is too bad to bear gains what a transfer of the fields is worth.
+bool is_worth(const core::HexMesh& before, const core::HexMesh& after, double bearable) {
+  constexpr double worth = 0.02;
+  for (Index cell = 0; cell < before.cell_count(); ++cell)
+    if (const double own = core::least_jacobian(before, cell);
+        own < bearable && core::least_jacobian(after, cell) >= own + worth)
+      return true;
+  return false;
+}
+
 }  // namespace
 
 bool straighten(const flow::Material& material, const thermal::Material& thermal, SolidState& solid,
                 const StraightenLimits& limits) {
   flow::SolidGlass& glass = solid.glass;
-  const double least = remesh::least_jacobian(glass.mesh);
-  if (least >= limits.bearable) return false;
+  if (remesh::least_jacobian(glass.mesh) >= limits.bearable) return false;
   const auto inner = faces_of(solid, SolidSide::inner), outer = faces_of(solid, SolidSide::outer),
              rim = faces_of(solid, SolidSide::rim);
   std::vector<Vector3> nodes =
       remesh::straightened_nodes({&glass.mesh, &solid.columns, &inner, &outer, &rim, &solid.planes}, limits.wanted);
   core::HexMesh after{std::move(nodes), glass.mesh.cells};
-  constexpr double worth = 0.02;  // what a transfer of the fields must gain
-  if (remesh::least_jacobian(after) < least + worth) return false;
+  if (!is_worth(glass.mesh, after, limits.bearable)) return false;
 
   const MovedParts parts = moved_parts(glass.mesh, after.nodes);
   const auto places = remesh::cell_places(glass.mesh, after.nodes);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "core/solid/hex_geometry.hpp"
 #include "core/solid/quad_face.hpp"
@@ -100,8 +101,8 @@ class Straightening {
     constexpr int rounds = 40, before_sliding = 4;
     constexpr Reach beside{2, 0.5}, about{8, 0.8};
     std::vector<Vector3> best = mesh_.nodes;
-    double best_jacobian = least_jacobian(mesh_);
-    for (int round = 0; round < rounds && best_jacobian < wanted; ++round) {
+    double least_lack = lack(mesh_, wanted);
+    for (int round = 0; round < rounds && least_lack > 0; ++round) {
       if (round == before_sliding) mesh_.nodes = wall_.mesh->nodes;
       const std::vector<double> weight = weights(wanted, beside);
       if (round >= before_sliding) {
@@ -114,9 +115,10 @@ class Straightening {
       } else {
         set_back(weight);
       }
-      if (const double now = least_jacobian(mesh_); now > best_jacobian) {
-        best_jacobian = now;
-        best = mesh_.nodes;
+      core::HexMesh tried = without_harm(wanted);
+      if (const double now = lack(tried, wanted); now < least_lack) {
+        least_lack = now;
+        best = std::move(tried.nodes);
       }
     }
     return best;
@@ -125,6 +127,31 @@ class Straightening {
  private:
   Index end_node(std::size_t column, int end) const {
     return end == 0 ? (*wall_.columns)[column].front() : (*wall_.columns)[column].back();
+  }
+
+  /// What all cells lack in their least Jacobians: one that cannot be mended does not keep others from it.
+  static double lack(const core::HexMesh& mesh, double wanted) {
+    constexpr double folded = -1;
+    double sum = 0;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+      sum += std::max(0.0, wanted - std::max(folded, core::least_jacobian(mesh, cell)));
+    return sum;
+  }
+
+  /// The mesh so far with columns as they were about cells that have become worse and are not good enough.
+  core::HexMesh without_harm(double wanted) const {
+    core::HexMesh tried = mesh_;
+    for (bool is_harmed = true; is_harmed;) {
+      is_harmed = false;
+      for (Index cell = 0; cell < tried.cell_count(); ++cell) {
+        const double own = core::least_jacobian(tried, cell);
+        if (own >= wanted || own >= core::least_jacobian(*wall_.mesh, cell)) continue;
+        is_harmed = true;
+        for (const Index node : tried.cells[cell])
+          for (const Index other : (*wall_.columns)[column_of_[node]]) tried.nodes[other] = wall_.mesh->nodes[other];
+      }
+    }
+    return tried;
   }
 
   /// How far around bad cells columns move: so many cells, in each by so much less than in the one before.

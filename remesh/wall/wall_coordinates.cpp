@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/linear/cholesky.hpp"
@@ -51,16 +52,70 @@ void add_edge(const core::BoundaryEdge& edge, double value, Given& given) {
   for (const Index node : edge.nodes) given[node] = value;
 }
 
+/// The round end of a wall on which both sides meet.
+class RoundEnd {
+ public:
+  RoundEnd(const core::Mesh& section, std::vector<SurfacePart>& part) : section_(section), part_(part) {}
+
+  /// Makes those edges of either side a rim that run rather across the wall than along it; the last ones anyway.
+  void cut() {
+    for (const core::BoundaryEdge& edge : section_.boundary_edges())
+      for (const int end : {0, 1})
+        if (last_edge(SurfacePart::inner, edge.nodes[end]) && last_edge(SurfacePart::outer, edge.nodes[end])) {
+          std::array<Index, 2> ends{edge.nodes[end], edge.nodes[end]};
+          while (shorten(ends)) {
+          }
+          return;
+        }
+  }
+
+ private:
+  std::optional<std::size_t> last_edge(SurfacePart part, Index node) const {
+    for (std::size_t e = 0; e < part_.size(); ++e)
+      if (part_[e] == part && far_node(e, node) >= 0) return e;
+    return {};
+  }
+  /// The other end of an edge; -1 where it does not end at a node.
+  Index far_node(std::size_t edge, Index node) const {
+    const auto& nodes = section_.boundary_edges()[edge].nodes;
+    return nodes[0] == node ? nodes[1] : nodes[1] == node ? nodes[0] : -1;
+  }
+  bool shorten(std::array<Index, 2>& ends) {
+    constexpr double steep = 0.7;  // cosine of 45 degrees
+    const Point across = section_.nodes[ends[1]] - section_.nodes[ends[0]];
+    bool is_shorter = false;
+    for (const int side : {0, 1}) {
+      const auto edge = last_edge(side == 0 ? SurfacePart::inner : SurfacePart::outer, ends[side]);
+      if (!edge) continue;
+      const Index next = far_node(*edge, ends[side]);
+      const Point along = section_.nodes[next] - section_.nodes[ends[side]];
+      if (std::abs(along.dot(across)) < steep * along.norm() * across.norm()) continue;
+      part_[*edge] = SurfacePart::rim;
+      ends[side] = next;
+      is_shorter = true;
+    }
+    return is_shorter;
+  }
+
+  const core::Mesh& section_;
+  std::vector<SurfacePart>& part_;
+};
+
+std::vector<SurfacePart> parts_with_rim(const core::Mesh& section, std::vector<SurfacePart> part) {
+  if (std::count(part.begin(), part.end(), SurfacePart::rim) == 0) RoundEnd(section, part).cut();
+  return part;
+}
+
 /// The same cells in harmonic coordinates.
-core::Mesh rectangle_of(const core::Mesh& section, const WallSides& sides) {
+core::Mesh rectangle_of(const core::Mesh& section, const std::vector<SurfacePart>& parts) {
   Given along, across;
   std::array<int, 4> found{};  // edges of the axis, the rim, the inner and the outer side
   for (std::size_t e = 0; e < section.boundary_edges().size(); ++e) {
     const core::BoundaryEdge& edge = section.boundary_edges()[e];
     if (section.kind_of(edge) == core::BoundaryKind::symmetry) add_edge(edge, 0, along), ++found[0];
-    if (sides.part[e] == SurfacePart::rim) add_edge(edge, 1, along), ++found[1];
-    if (sides.part[e] == SurfacePart::inner) add_edge(edge, 0, across), ++found[2];
-    if (sides.part[e] == SurfacePart::outer) add_edge(edge, 1, across), ++found[3];
+    if (parts[e] == SurfacePart::rim) add_edge(edge, 1, along), ++found[1];
+    if (parts[e] == SurfacePart::inner) add_edge(edge, 0, across), ++found[2];
+    if (parts[e] == SurfacePart::outer) add_edge(edge, 1, across), ++found[3];
   }
   constexpr std::array missing{"place on the axis", "rim", "inner side", "outer side"};
   for (std::size_t part = 0; part < found.size(); ++part)
@@ -76,7 +131,10 @@ core::Mesh rectangle_of(const core::Mesh& section, const WallSides& sides) {
 }  // namespace
 
 WallCoordinates::WallCoordinates(const core::Mesh& section, const WallSides& sides)
-    : section_(&section), part_(sides.part), rectangle_(rectangle_of(section, sides)), cells_(rectangle_) {}
+    : section_(&section),
+      part_(parts_with_rim(section, sides.part)),
+      rectangle_(rectangle_of(section, part_)),
+      cells_(rectangle_) {}
 
 core::Point WallCoordinates::place(double along, double across) const {
   const CellGrid::Found found = cells_.find({along, across});

@@ -116,6 +116,31 @@ TEST(SolidStraighten, nodes_through_a_bent_wall_go_back_and_mass_heat_and_volume
   EXPECT_EQ(solid.glass.temperature[solid.columns[0][2]], temperature[solid.columns[0][2]]);
 }
 
+TEST(SolidStraighten, a_bad_cell_at_the_rim_keeps_no_other_from_being_set_right) {
+  SolidState solid = wall(1);
+  const Vector3 aside(-0.42e-3, 0.14e-3, 0);
+  for (const Index level : {3, 4, 5}) {
+    node(solid, 10, 10, level) += aside;
+    node(solid, 2 * along, 10, level) += aside;
+  }
+  fill(solid);
+  const Vector3 at_rim = node(solid, 2 * along, 10, 4);
+  const auto least_of = [&](bool rim) {
+    double least = 1;
+    for (Index cell = 0; cell < solid.glass.mesh.cell_count(); ++cell)
+      if ((core::cell_nodes(solid.glass.mesh, cell).row(0).maxCoeff() > 19.9e-3) == rim)
+        least = std::min(least, core::least_jacobian(solid.glass.mesh, cell));
+    return least;
+  };
+  ASSERT_LT(least_of(false), 0.2);
+  const double rim = least_of(true);
+  ASSERT_LT(rim, 0.2);
+  ASSERT_TRUE(straighten(glass, conducting, solid));
+  EXPECT_GT(least_of(false), 0.3);
+  EXPECT_GE(least_of(true), rim);
+  EXPECT_EQ(at_rim, node(solid, 2 * along, 10, 4));
+}
+
 TEST(SolidStraighten, columns_that_lean_far_are_set_right_and_a_linear_temperature_stays) {
   SolidState solid = wall(0);
   // The inner side has been pulled along under the outer one, nearly twice as far as the wall is thick, as glass is

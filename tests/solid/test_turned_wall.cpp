@@ -93,6 +93,27 @@ TEST(TurnedWall, a_round_rim_and_a_thick_base_on_a_small_tip_fold_no_cell) {
     }
 }
 
+TEST(TurnedWall, sides_that_meet_on_a_round_end_leave_a_rim_between_them) {
+  const core::Mesh section = meshed(Pen(0, 60)
+                                        .arc(0, 51.5, 90, 0, "inner")
+                                        .line(8.5, 2.75, "inner")
+                                        .arc(11.25, 2.75, 180, 270, "inner")
+                                        .arc(11.25, 2.75, 270, 360, "outer")
+                                        .line(14, 55, "outer")
+                                        .arc(0, 55, 0, 90, "outer")
+                                        .line(0, 60, "axis")
+                                        .closed());
+  auto sides = wall_sides(section, core::Geometry::axisymmetric, surface_rays(section, core::Geometry::axisymmetric));
+  for (std::size_t e = 0; e < sides.part.size(); ++e)
+    if (sides.part[e] == SurfacePart::rim)
+      sides.part[e] = section.boundaries()[section.boundary_edges()[e].boundary_id].name == "inner"
+                          ? SurfacePart::inner
+                          : SurfacePart::outer;
+  const WallMesh wall = turn_wall({section, sides}, {3e-3, 3, M_PI_2});
+  EXPECT_FALSE(wall.rim.empty());
+  EXPECT_GT(least_jacobian(wall.mesh), 0.2);
+}
+
 TEST(TurnedWall, a_chilled_skin_keeps_its_heat_and_gets_no_hotter_than_it_was) {
   const core::Profile outline = parison();
   const core::Mesh section = meshed(outline);
