@@ -15,6 +15,7 @@ namespace {
 
 constexpr double volume_tolerance = 1e-9;
 constexpr int most_solutions = 30, most_factors = 3;
+constexpr int hold_friction_after = 20;       ///< solutions; where friction settles it does in about ten
 constexpr double friction_tolerance = 1e-6;   ///< change of the friction at its limit by a solution, over all of it
 constexpr double viscosity_tolerance = 2e-3;  ///< mean change of ln eta, of glass that thins by shear
 constexpr int most_viscosities = 12;          ///< each halves the change, about, with an exponent of 0.5
@@ -151,12 +152,12 @@ void balance(ToolContact& contact, FlowMatrix& matrix, const Eigen::VectorXd& fo
   Eigen::VectorXd lacking = motion.lack();
   while (solutions < most_solutions) {
     motion.solve(force + contact.forces(), lacking);
-    ++solutions;
+    if (++solutions == hold_friction_after) contact.hold_friction();
     contact.look(motion.velocity);
     lacking = motion.lack();
     step.volume_error = motion.error(lacking);
     if (!(step.volume_error <= worst_volume)) break;
-    if (factors < most_factors && contact.choose() > 0) {
+    if (factors < most_factors && solutions < hold_friction_after && contact.choose() > 0) {
       contact.add_changes(matrix);
       matrix.factorise();
       ++factors;

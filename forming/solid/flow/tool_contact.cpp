@@ -147,14 +147,18 @@ void ToolContact::look(const Eigen::VectorXd& velocity) {
       nodes = core::face_node_numbers(*start_, problem_->contact_faces[face]);
       positions = core::face_nodes(*start_, problem_->contact_faces[face]);
     }
-    point.velocity = at_point(velocity, nodes, point.shape);
+    const Vector3 before = std::exchange(point.velocity, at_point(velocity, nodes, point.shape));
     nearest(positions * point.shape + dt_ * point.velocity, dt_, point);
     point.limit_friction_before = point.limit_friction;
-    point.limit_friction = point.touches && point.slides ? friction(point) : Vector3::Zero();
+    if (is_held_)
+      point.limit_friction += slope_along(point) * (point.velocity - before);
+    else
+      point.limit_friction = limit_friction(point);
   }
 }
 
 double ToolContact::friction_change() const {
+  if (is_held_) return 0;
   double change = 0, all = 0;
   for (const Point& point : points_) {
     change += point.area * (point.limit_friction - point.limit_friction_before).norm();
@@ -183,8 +187,14 @@ void ToolContact::slide(Point& point, double pressure) const {
 
 /// Shear stress of the glass on the tool, Pa. A point slides or does not until it is chosen anew.
 Vector3 ToolContact::friction(const Point& point) const {
+  if (!point.slides) return point.drag * slip(point);
+  return is_held_ ? point.limit_friction : limit_friction(point);
+}
+
+/// That of a point that slides, by its pressure; zero for others.
+Vector3 ToolContact::limit_friction(const Point& point) const {
+  if (!point.touches || !point.slides) return Vector3::Zero();
   const Vector3 along = slip(point);
-  if (!point.slides) return point.drag * along;
   const double limit = *point.coulomb * std::max(pressure(point), 0.0);
   return limit * (along.dot(point.slides_along) > 0 ? along.normalized() : point.slides_along);
 }
@@ -201,9 +211,13 @@ Vector3 ToolContact::traction(const Point& point) const {
 
 /// Minus the derivative of the traction.
 Eigen::Matrix3d ToolContact::slope(const Point& point) const {
+  return slope_along(point) + point.stiffness * point.normal * point.normal.transpose();
+}
+
+/// The part of friction.
+Eigen::Matrix3d ToolContact::slope_along(const Point& point) const {
   const double drag = point.slides ? point.secant : point.drag;
-  Eigen::Matrix3d slope =
-      drag * Eigen::Matrix3d::Identity() + (point.stiffness - drag) * point.normal * point.normal.transpose();
+  Eigen::Matrix3d slope = drag * (Eigen::Matrix3d::Identity() - point.normal * point.normal.transpose());
   if (point.slides) slope -= (1 - least_slope) * drag * point.slides_along * point.slides_along.transpose();
   return slope;
 }

@@ -32,6 +32,9 @@ class ToolContact {
   /// Contact at each point, and the force on each tool, N.
   std::vector<SolidContact> contact() const;
   std::vector<Vector3> tool_forces() const;
+  /// From now on friction at its limit follows the velocity as the matrix does, not the pressure and the direction:
+  /// where points turn to and fro it would not settle.
+  void hold_friction() { is_held_ = true; }
   /// By how much the last `look` has changed the friction of points that slide at its limit, as a share of it all.
   double friction_change() const;
 
@@ -68,12 +71,15 @@ class ToolContact {
   double pressure(const Point& point) const;
   Vector3 slip(const Point& point) const;
   Vector3 friction(const Point& point) const;
+  Vector3 limit_friction(const Point& point) const;
+  Eigen::Matrix3d slope_along(const Point& point) const;
   Vector3 traction(const Point& point) const;
   Eigen::Matrix3d slope(const Point& point) const;
 
   const SolidProblem* problem_;
   const HexMesh* start_;
   double dt_;
+  bool is_held_ = false;           ///< friction at its limit
   double pace_;                    ///< of the step over those before, at most 1
   std::vector<Point> points_;      ///< that may touch
   std::vector<Index> place_;       ///< of each in contact()
