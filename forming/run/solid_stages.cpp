@@ -8,12 +8,14 @@
 #include <memory>
 #include <utility>
 
+#include "core/process/run_error.hpp"
 #include "forming/remeshing/remesh_state.hpp"
 #include "forming/report/cooling/cold_container.hpp"
 #include "forming/report/wall/solid_wall.hpp"
 #include "forming/run/fast_glass.hpp"
 #include "forming/run/room_in_tool.hpp"
 #include "forming/run/stage.hpp"
+#include "forming/run/stall.hpp"
 #include "forming/solid/hand_over.hpp"
 #include "forming/solid/solid_end.hpp"
 #include "forming/solid/solid_memory.hpp"
@@ -171,8 +173,8 @@ bool step_once(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace)
     dt *= shorten;
     if (dt < run.scene.accuracy.min_step) {
       std::string& reason = run.outcome.facts.reason;
-      reason =
-          fmt::format("{}, also in steps of {:g} s, numerics.min_step", outcome.reason, run.scene.accuracy.min_step);
+      reason = after_press(run.outcome.facts, fmt::format("{}, also in steps of {:g} s, numerics.min_step",
+                                                          outcome.reason, run.scene.accuracy.min_step));
       if (const auto fast = fast_glass(solid))
         reason = fmt::format("{} (numerics: {})",
                              run.scene.stages[clock.stage].pressure.empty() ? falls(*fast) : bursts(*fast), reason);
@@ -216,7 +218,7 @@ bool begin_stage(RunInProgress& run, Index stage, SolidState& solid) {
   solid.next_step = first_step(run.scene, stage);
   solid.glass.velocity.resize(0);  // pressures jump between stages
   notify(run, &RunObserver::stage_begins);
-  return !ends_by(run, cannot_begin(run, solid));
+  return !ends_by(run, after_press(run.outcome.facts, cannot_begin(run, solid)));
 }
 
 StageEnd present_end(const RunInProgress& run, const SolidState& solid) {
@@ -224,13 +226,23 @@ StageEnd present_end(const RunInProgress& run, const SolidState& solid) {
   return stage_end(run.scene, clock, end_measure(run.scene, clock, clock.stage_time, solid));
 }
 
+/// Whether steps are so short that the stage would take thousands more of them; the facts then say so.
+bool is_stalled(RunInProgress& run, const SolidState& solid, StallWatch& watch) {
+  constexpr double short_step = 10;  // times numerics.min_step, as of round glass
+  if (run.scene.stages[run.outcome.state.stage].cools) return false;
+  Diagnostics& seen = run.outcome.facts.diagnostics;
+  if (solid.last_step < short_step * run.scene.accuracy.min_step) ++seen.steps.short_steps;
+  return ends_by(run, watch.reason(run.scene, run.outcome.state, seen));
+}
+
 bool advance_stage(RunInProgress& run, SolidState& solid, SolidWorkspace& workspace) {
   const State& clock = run.outcome.state;
+  StallWatch watch;
   workspace.heat.begin_anew();
   while (present_end(run, solid) == StageEnd::none) {
     const double before = clock.time;
     if (!step_once(run, solid, workspace)) return false;
-    if (ends_by(run, outgrown(run, solid))) return false;
+    if (ends_by(run, outgrown(run, solid)) || is_stalled(run, solid, watch)) return false;
     notify(run, &RunObserver::solid_step_taken, solid);
     if (!outputs_due(run.scene, clock.stage, before, clock.time).empty())
       notify(run, &RunObserver::solid_fields_due, solid);
@@ -258,8 +270,11 @@ bool run_solid_stages(RunInProgress& run) {
     clock.stage = run.scene.solid->from_stage;  // a parison that cannot be followed fails there
     clock.stage_time = 0;
     clock.stage_start = clock.time;
-    const double size = solid_cell_size(run.scene, clock);
-    run.outcome.solid = std::make_shared<SolidState>(hand_over(run.scene, clock, size));
+    try {
+      run.outcome.solid = std::make_shared<SolidState>(hand_over(run.scene, clock, solid_cell_size(run.scene, clock)));
+    } catch (const core::RunError& error) {
+      throw core::RunError(after_press(run.outcome.facts, error.what()));
+    }
     good = begin_stage(run, run.scene.solid->from_stage, *run.outcome.solid);
     notify(run, &RunObserver::solid_fields_due, *run.outcome.solid);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "forming/solid/solid_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -69,6 +71,20 @@ Eigen::VectorXd middle_temperature(const SolidState& solid, double dt) {
   return solid.glass.temperature + change.max(-farthest).min(farthest).matrix();
 }
 
+/// Why a step was not accepted.
+std::string rejection(const flow::SolidStep& step, const SolidState& solid) {
+  constexpr double settled = 1e-8;  // share of a volume, ten times what a step that is accepted may be off
+  if (step.volume_error > settled)
+    return fmt::format("the volumes of cells do not settle in a step: one is off by {:.1g} of it", step.volume_error);
+  Index worst = 0;
+  double least = core::least_jacobian(solid.glass.mesh, 0);
+  for (Index cell = 1; cell < solid.glass.mesh.cell_count(); ++cell)
+    if (const double own = core::least_jacobian(solid.glass.mesh, cell); own < least) least = own, worst = cell;
+  const Vector3 at = 1e3 * core::cell_nodes(solid.glass.mesh, worst).rowwise().mean();
+  return fmt::format("a step would fold a cell of the glass, the worst of which is at ({:.1f}, {:.1f}, {:.1f}) mm",
+                     at[0], at[1], at[2]);
+}
+
 /// Moves the glass with the temperatures expected in the middle of the step, then conducts heat.
 void step_forming(const Scene& scene, const State& clock, double dt, const flow::SolidProblem& problem,
                   const std::vector<std::size_t>& places, SolidState& solid, SolidWorkspace& workspace,
@@ -85,13 +101,13 @@ void step_forming(const Scene& scene, const State& clock, double dt, const flow:
   if (outcome.flow.accepted) {
     count_tools_of_solid(places, solid);
     outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
-  } else if (outcome.reason.empty()) {
-    outcome.reason = "a step would fold a cell of the glass";
+    if (outcome.reason.empty()) {
+      advance_openings(scene, clock, dt, before, solid);
+      return;
+    }
   }
-  if (outcome.reason.empty())
-    advance_openings(scene, clock, dt, before, solid);
-  else
-    solid.glass = before;
+  solid.glass = before;
+  if (outcome.reason.empty()) outcome.reason = rejection(outcome.flow, solid);
 }
 
 /// The largest change of temperature in a step, K, with its weight.
