@@ -45,19 +45,22 @@ Eigen::VectorXd cell_volumes(const HexMesh& mesh) {
 }
 
 double least_jacobian(const HexMesh& mesh, Index cell) {
-  static const auto derivatives = [] {
-    std::vector<HexGradient> all = hex_rule(exact_points, exact_points).derivative;
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) all.push_back(hex_shape_derivative({0.5 * i, 0.5 * j, 0.5 * k}));
+  static const std::vector<HexGradient> at_nodes = [] {
+    std::vector<HexGradient> all;
+    for (int n = 0; n < HexMesh::nodes_per_cell; ++n)
+      all.push_back(hex_shape_derivative({0.5 * (n % 3), 0.5 * (n / 3 % 3), 0.5 * (n / 9)}));
     return all;
   }();
   const HexNodes nodes = cell_nodes(mesh, cell);
-  const double centre = (nodes * hex_shape_derivative({0.5, 0.5, 0.5}).transpose()).determinant();
+  const auto jacobian = [&](const HexGradient& derivative) { return (nodes * derivative.transpose()).determinant(); };
+  const double centre = jacobian(hex_shape_derivative({0.5, 0.5, 0.5}));
   if (!(centre > 0)) return -std::numeric_limits<double>::infinity();
   double least = centre;
-  for (const HexGradient& derivative : derivatives)
-    least = std::min(least, (nodes * derivative.transpose()).determinant());
+  for (const HexGradient& derivative : hex_rule(exact_points, exact_points).derivative)
+    least = std::min(least, jacobian(derivative));
+  const auto& own = mesh.cells[cell];
+  for (std::size_t n = 0; n < own.size(); ++n)
+    if (std::count(own.begin(), own.end(), own[n]) == 1) least = std::min(least, jacobian(at_nodes[n]));
   return least / centre;
 }
 

@@ -16,6 +16,7 @@ std::array<Index, 9> face_node_numbers(const HexMesh& mesh, const HexFace& face)
 /// Volume of each cell, m3, exact for its map.
 Eigen::VectorXd cell_volumes(const HexMesh& mesh);
 /// The least Jacobian of a cell at its nodes and Gauss points over that at its centre: not positive where it is folded.
+/// Nodes at which an edge has no length, as on the axis of a wedge, do not count.
 double least_jacobian(const HexMesh& mesh, Index cell);
 
 }  // namespace parison::core

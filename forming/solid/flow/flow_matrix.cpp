@@ -31,6 +31,9 @@ FlowMatrix::FlowMatrix(const HexMesh& mesh, const std::vector<SymmetryPlane>& pl
         }
     }
     cliques.add(unknowns.data(), static_cast<Index>(unknowns.size()));
+    for (int i = 0; i < static_cast<int>(unknowns.size()); ++i)
+      for (int j = 0; j < i; ++j)
+        if (unknowns[i] == unknowns[j]) places_[cell].repeats.push_back({i, j});
   }
   assembly_ = core::make_assembly(numbering_.size(), cliques);
   std::vector<Index> order(numbering_.size());
@@ -99,7 +102,7 @@ void FlowMatrix::add(Index cell, const HexMatrix& matrix) {
       for (int n = 0; n < HexMesh::nodes_per_cell; ++n)
         given_force_.segment<3>(3 * nodes_[cell][n]) += force.segment<3>(3 * n);
     }
-  const auto& [local, turned] = places_[cell];
+  const auto& [local, repeats, turned] = places_[cell];
   const HexMatrix* own = &matrix;
   HexMatrix in_frames;
   if (!turned.empty()) {
@@ -108,6 +111,8 @@ void FlowMatrix::add(Index cell, const HexMatrix& matrix) {
     own = &in_frames;
   }
   const Index* position = assembly_.scatter.position.data() + assembly_.scatter.offset[cell];
+  for (const auto& [i, j] : repeats)  // both triangles are one entry
+    assembly_.matrix.value[position[i * (i + 1) / 2 + j]] += (*own)(local[i], local[j]);
   for (std::size_t i = 0; i < local.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) assembly_.matrix.value[*position++] += (*own)(local[i], local[j]);
 }

@@ -57,8 +57,9 @@ class FlowMatrix {
     double mean_viscosity;
   };
   struct Place {
-    std::vector<int> local;   ///< of the cell's unknowns in its 81 directions
-    std::vector<int> turned;  ///< nodes with a frame of their own
+    std::vector<int> local;                   ///< of the cell's unknowns in its 81 directions
+    std::vector<std::array<int, 2>> repeats;  ///< of them two that are the same unknown, on the axis of a wedge
+    std::vector<int> turned;                  ///< nodes with a frame of their own
   };
   CellVector of_cell(const Eigen::VectorXd& space, Index cell) const;
   void turn(Index cell, HexMatrix& matrix) const;
