@@ -127,6 +127,7 @@ double weighted_change(const cooling::GlassLaw& law, const SolidMemoryStep& step
 /// How far cooling glass that nothing holds sinks in a step, m: without such a drag no balance would be found. As it
 /// moves by micrometres, the drag is less than a hundredth of its weight.
 constexpr double free_fall = 1e-3;
+constexpr double standard_gravity = 9.81;  ///< m/s2
 
 /// Of what the glass rests on, Pa/m. Belts and plates give way, and what bears a container decides no stress: under the
 /// weight of a column of its height it sinks in by micrometres.
@@ -145,9 +146,10 @@ void step_cooling(const Scene& scene, const State& clock, double dt, flow::Solid
   const SolidState before = solid;
   outcome.reason = advance_solid_heat(scene, clock, dt, solid, workspace.heat);
   if (outcome.reason.empty()) {
+    if (problem.tools.empty()) problem.gravity = 0;  // glass that nothing carries floats, as in the section
     SolidMemoryStep memory = start_memory_step(law, solid, before.glass.temperature, dt);
     memory.flow.bedding = bedding(problem, solid.glass);
-    memory.flow.drag = problem.material->density * std::abs(problem.gravity) * dt / free_fall;
+    memory.flow.drag = problem.material->density * standard_gravity * dt / free_fall;
     problem.memory = &memory.flow;
     count_tools_of_flow(places, solid);
     try {

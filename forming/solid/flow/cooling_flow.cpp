@@ -8,8 +8,6 @@
 namespace parison::flow {
 
 SolidStep step_cooling(const SolidProblem& problem, FlowMatrix& matrix, SolidGlass& glass, double dt) {
-  constexpr int most_solutions = 30, most_factors = 3;
-  constexpr double friction_tolerance = 1e-6;  // change by a solution, over all friction at its limit
   SolidStep step;
   step.dt = dt;
   const Index nodes = glass.mesh.node_count();

@@ -14,9 +14,7 @@ namespace parison::flow {
 namespace {
 
 constexpr double volume_tolerance = 1e-9;
-constexpr int most_solutions = 30, most_factors = 3;
 constexpr int hold_friction_after = 20;       ///< solutions; where friction settles it does in about ten
-constexpr double friction_tolerance = 1e-6;   ///< change of the friction at its limit by a solution, over all of it
 constexpr double viscosity_tolerance = 2e-3;  ///< mean change of ln eta, of glass that thins by shear
 constexpr int most_viscosities = 12;          ///< each halves the change, about, with an exponent of 0.5
 constexpr double steady_share = 0.25;         ///< largest change of a velocity that goes on
