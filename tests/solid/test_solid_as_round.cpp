@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "forming/run/checkpoint.hpp"
 #include "forming/run/run.hpp"
@@ -159,19 +160,25 @@ struct Keeper : RunObserver {
   }
 };
 
+/// A run, and what it is from the last such checkpoint on.
+std::pair<RunOutcome, RunOutcome> run_and_resume(const std::string& text) {
+  const Scene scene = scene_of(text, "draft coarser 2");
+  Keeper keeper(tests::folder_of_test("kept").string());
+  std::filesystem::create_directories(keeper.folder);
+  RunOutcome whole = run(scene, {&keeper});
+  EXPECT_TRUE(whole.facts.completed) << whole.facts.reason;
+  EXPECT_TRUE(keeper.has_kept);
+  RunOutcome again = resume(scene, read_checkpoint(find_checkpoint(keeper.folder), scene).outcome);
+  return {std::move(whole), std::move(again)};
+}
+
 TEST(SolidAsRound, a_run_taken_up_again_in_space_is_the_same_to_the_last_bit) {
   std::string text =
       with("friction = \"slip\"", "friction = { law = \"navier\", coefficient = \"1e8 Pa.s/m\", coulomb = 0.2 }");
   text = with(constant, "law = \"gap\"", text);
   text = with("duration = \"0.2 s\"",
               "duration = \"0.2 s\"\nsolid = { sector = \"90 deg\" }\nend = { surface_below = \"850 degC\" }", text);
-  const Scene scene = scene_of(text, "draft coarser 2");
-  Keeper keeper(tests::folder_of_test("kept").string());
-  std::filesystem::create_directories(keeper.folder);
-  const RunOutcome whole = run(scene, {&keeper});
-  ASSERT_TRUE(whole.facts.completed) << whole.facts.reason;
-  ASSERT_TRUE(keeper.has_kept);
-  const RunOutcome again = resume(scene, read_checkpoint(find_checkpoint(keeper.folder), scene).outcome);
+  const auto [whole, again] = run_and_resume(text);
   EXPECT_EQ(again.facts.stages.back().end, whole.facts.stages.back().end);
   EXPECT_EQ(again.facts.stages.back().end_reason, "surface below its temperature");
   const SolidState &one = *whole.solid, &other = *again.solid;
@@ -179,6 +186,35 @@ TEST(SolidAsRound, a_run_taken_up_again_in_space_is_the_same_to_the_last_bit) {
   EXPECT_EQ(one.glass.temperature, other.glass.temperature);
   EXPECT_EQ(one.contact_opening, other.contact_opening);
   EXPECT_GT(one.contact_opening.maxCoeff(), 0);
+}
+
+TEST(SolidAsRound, glass_that_cools_in_space_is_taken_up_again_to_the_last_bit) {
+  std::string text = with("material = \"glass\"", "material = \"flint\"");
+  for (int tool = 0; tool < 2; ++tool) text = with("material = \"iron\"", "material = \"grey_iron\"", text);
+  text = text.substr(0, text.find("[[stage]]")) + R"([[stage]]
+name = "rest"
+duration = "50 ms"
+gravity = "-9.81 m/s2"
+tools = ["plate"]
+[[stage]]
+name = "cool"
+kind = "cooling"
+solid = { sector = "90 deg" }
+duration = "100 s"
+gravity = "-9.81 m/s2"
+tools = ["plate"]
+[air]
+temperature = "20 degC"
+h = "60 W/m2/K"
+ambient = "20 degC"
+)";
+  const auto [whole, again] = run_and_resume(text);
+  const SolidState &one = *whole.solid, &other = *again.solid;
+  EXPECT_EQ(one.glass.mesh.nodes, other.glass.mesh.nodes);
+  EXPECT_EQ(one.glass.temperature, other.glass.temperature);
+  EXPECT_EQ(one.branch_stress, other.branch_stress);
+  EXPECT_EQ(one.fictive_temperature, other.fictive_temperature);
+  EXPECT_GT(one.branch_stress.cwiseAbs().maxCoeff(), 1e5);  // Pa
 }
 
 }  // namespace
